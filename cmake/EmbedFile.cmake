@@ -1,0 +1,6 @@
+file(READ "${INPUT}" hex HEX)
+string(REGEX REPLACE "(................................)" "\\1\n" hex "${hex}")
+string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${hex}")
+file(WRITE "${HEADER}" "#pragma once\n#include <string>\nnamespace mien {\nstd::string ${NAME}();\n}\n")
+file(WRITE "${SOURCE}" "#include \"${NAME}.h\"\nnamespace {\nconst unsigned char bytes[] = {\n${bytes}\n};\n}\n"
+  "std::string mien::${NAME}() { return std::string(reinterpret_cast<const char*>(bytes), sizeof bytes); }\n")

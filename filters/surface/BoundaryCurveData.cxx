@@ -1,0 +1,245 @@
+#include "BoundaryCurveData.h"
+
+#include "FaceLayout.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <vector>
+
+namespace mien {
+
+namespace {
+
+/// Number of different points of a closed line, or 0 when it does not end where it begins.
+vtkIdType closedLineLength(vtkPolyData* data, vtkIdList* ids)
+{
+  const vtkIdType n = ids->GetNumberOfIds();
+  if (n < 3)
+    return 0;
+  double first[3], last[3];
+  data->GetPoint(ids->GetId(0), first);
+  data->GetPoint(ids->GetId(n - 1), last);
+  const bool closed = std::equal(first, first + 3, last);
+  return closed ? n - 1 : 0;
+}
+
+std::string lineName(vtkIdType line)
+{
+  return "line " + std::to_string(line);
+}
+
+std::string checkLines(vtkPolyData* data)
+{
+  if (!data || data->GetNumberOfLines() == 0)
+    return "there are no lines; boundary curves are closed polylines";
+  vtkNew<vtkIdList> ids;
+  vtkIdType expected = 0;
+  for (vtkIdType line = 0; line < data->GetNumberOfLines(); ++line)
+  {
+    data->GetLines()->GetCellAtId(line, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+      if (ids->GetId(i) < 0 || ids->GetId(i) >= data->GetNumberOfPoints())
+        return lineName(line) + " uses point " + std::to_string(ids->GetId(i)) + " of " +
+          std::to_string(data->GetNumberOfPoints());
+    const vtkIdType length = closedLineLength(data, ids);
+    if (length == 0)
+      return lineName(line) + " is not closed; its last point must repeat its first";
+    expected = line == 0 ? length : expected;
+    if (length != expected)
+      return lineName(line) + " has " + std::to_string(length) + " points where the others have " +
+        std::to_string(expected);
+  }
+  return {};
+}
+
+/// For every curve of the layout the line that holds it, from `CurveId` where there is one.
+std::string orderOfLines(vtkPolyData* data, std::vector<vtkIdType>& lineOfCurve)
+{
+  lineOfCurve.assign(FaceLayout::curveCount, -1);
+  vtkDataArray* ids = data->GetCellData()->GetArray("CurveId");
+  if (ids && ids->GetNumberOfTuples() < data->GetNumberOfCells())
+    return "array CurveId is shorter than the number of curves";
+  const vtkIdType firstLine = data->GetNumberOfVerts();
+  for (int index = 0; index < FaceLayout::curveCount; ++index)
+    for (vtkIdType line = 0; line < data->GetNumberOfLines() && lineOfCurve[index] < 0; ++line)
+      if (ids ? ids->GetTuple1(firstLine + line) == FaceLayout::curveId(index) : line == index)
+        lineOfCurve[index] = line;
+  for (int index = 0; index < FaceLayout::curveCount; ++index)
+    if (lineOfCurve[index] < 0)
+      return "curve " + FaceLayout::curveName(index) + " is missing";
+  return {};
+}
+
+std::string readFeatures(vtkFieldData* fields, FaceCurves& face)
+{
+  auto* ids = vtkStringArray::SafeDownCast(fields->GetAbstractArray("FeatureId"));
+  vtkDataArray* curve = fields->GetArray("FeatureCurve");
+  vtkDataArray* v = fields->GetArray("FeatureV");
+  if (!ids || !curve || !v)
+    return {};
+  const vtkIdType n = ids->GetNumberOfValues();
+  if (curve->GetNumberOfTuples() != n || v->GetNumberOfTuples() != n)
+    return "field arrays FeatureId, FeatureCurve and FeatureV differ in length";
+  for (vtkIdType i = 0; i < n; ++i)
+  {
+    const int id = static_cast<int>(curve->GetTuple1(i));
+    const int index = id == FaceLayout::curveCount ? FaceLayout::lowerLip
+                                                   : (id <= FaceLayout::lowerLip ? id - 1 : id);
+    face.features.push_back({ ids->GetValue(i), index, v->GetTuple1(i) });
+  }
+  return {};
+}
+
+void readPupils(vtkFieldData* fields, FaceCurves& face)
+{
+  vtkDataArray* pupils = fields->GetArray("Pupils");
+  face.hasPupils = pupils && pupils->GetNumberOfTuples() == 2 && pupils->GetNumberOfComponents() == 3;
+  if (!face.hasPupils)
+    return;
+  pupils->GetTuple(0, face.leftPupil.data());
+  pupils->GetTuple(1, face.rightPupil.data());
+}
+
+void copyLine(vtkPolyData* data, vtkIdType line, ClosedCurves& curves, int index)
+{
+  vtkNew<vtkIdList> ids;
+  data->GetLines()->GetCellAtId(line, ids);
+  auto curve = curves.curve(index);
+  for (int j = 0; j < curves.pointsPerCurve; ++j)
+    data->GetPoint(ids->GetId(j), curve.row(j).data());
+}
+
+int pointsPerLine(vtkPolyData* data)
+{
+  vtkNew<vtkIdList> ids;
+  data->GetLines()->GetCellAtId(0, ids);
+  return static_cast<int>(ids->GetNumberOfIds()) - 1;
+}
+
+void addFeatureArrays(const FaceCurves& face, vtkFieldData* fields)
+{
+  vtkNew<vtkStringArray> ids;
+  ids->SetName("FeatureId");
+  vtkNew<vtkIntArray> curve;
+  curve->SetName("FeatureCurve");
+  vtkNew<vtkDoubleArray> v;
+  v->SetName("FeatureV");
+  for (const FeaturePoint& feature : face.features)
+  {
+    ids->InsertNextValue(feature.id);
+    curve->InsertNextValue(FaceLayout::curveId(feature.curve));
+    v->InsertNextValue(feature.v);
+  }
+  fields->AddArray(ids);
+  fields->AddArray(curve);
+  fields->AddArray(v);
+}
+
+void addPupils(const FaceCurves& face, vtkFieldData* fields)
+{
+  vtkNew<vtkDoubleArray> pupils;
+  pupils->SetName("Pupils");
+  pupils->SetNumberOfComponents(3);
+  pupils->InsertNextTuple(face.leftPupil.data());
+  pupils->InsertNextTuple(face.rightPupil.data());
+  fields->AddArray(pupils);
+}
+
+void addUnits(vtkFieldData* fields)
+{
+  vtkNew<vtkStringArray> units;
+  units->SetName("Units");
+  units->InsertNextValue("mm");
+  fields->AddArray(units);
+}
+
+void addCurveArrays(vtkCellData* cells)
+{
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("CurveId");
+  vtkNew<vtkStringArray> names;
+  names->SetName("CurveName");
+  for (int index = 0; index < FaceLayout::curveCount; ++index)
+  {
+    ids->InsertNextValue(FaceLayout::curveId(index));
+    names->InsertNextValue(FaceLayout::curveName(index));
+  }
+  cells->AddArray(ids);
+  cells->AddArray(names);
+}
+
+} // namespace
+
+std::string readClosedCurves(vtkPolyData* data, ClosedCurves& curves)
+{
+  const std::string fault = checkLines(data);
+  if (!fault.empty())
+    return fault;
+  ClosedCurves read(static_cast<int>(data->GetNumberOfLines()), pointsPerLine(data));
+  for (int index = 0; index < read.count; ++index)
+    copyLine(data, index, read, index);
+  curves = std::move(read);
+  return describeFault(curves);
+}
+
+std::string readFaceCurves(vtkPolyData* data, FaceCurves& face)
+{
+  std::vector<vtkIdType> lineOfCurve;
+  std::string fault = checkLines(data);
+  if (fault.empty())
+    fault = orderOfLines(data, lineOfCurve);
+  if (!fault.empty())
+    return fault;
+  FaceCurves read;
+  read.curves = ClosedCurves(FaceLayout::curveCount, pointsPerLine(data));
+  for (int index = 0; index < FaceLayout::curveCount; ++index)
+    copyLine(data, lineOfCurve[index], read.curves, index);
+  fault = readFeatures(data->GetFieldData(), read);
+  readPupils(data->GetFieldData(), read);
+  if (fault.empty())
+    fault = describeFault(read);
+  if (fault.empty())
+    face = std::move(read);
+  return fault;
+}
+
+void writeClosedCurves(const ClosedCurves& curves, vtkPolyData* data)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(curves.points.rows());
+  vtkNew<vtkCellArray> lines;
+  for (int index = 0; index < curves.count; ++index)
+  {
+    const vtkIdType first = static_cast<vtkIdType>(index) * curves.pointsPerCurve;
+    lines->InsertNextCell(curves.pointsPerCurve + 1);
+    for (int j = 0; j <= curves.pointsPerCurve; ++j)
+      lines->InsertCellPoint(first + j % curves.pointsPerCurve);
+  }
+  for (vtkIdType i = 0; i < curves.points.rows(); ++i)
+    points->SetPoint(i, curves.points.row(i).data());
+  data->Initialize();
+  data->SetPoints(points);
+  data->SetLines(lines);
+}
+
+void writeFaceCurves(const FaceCurves& face, vtkPolyData* data)
+{
+  writeClosedCurves(face.curves, data);
+  addCurveArrays(data->GetCellData());
+  addUnits(data->GetFieldData());
+  addFeatureArrays(face, data->GetFieldData());
+  if (face.hasPupils)
+    addPupils(face, data->GetFieldData());
+}
+
+} // namespace mien

@@ -1,0 +1,40 @@
+/**
+ * @class vtkBoundaryCurveReader
+ * @brief reads and checks the boundary curves of a face; without a file, gives the generic face
+ *
+ * Output: vtkPolyData with 29 closed polylines as described in BoundaryCurveData.h (lengths in mm).
+ * Errors: a file that cannot be read; curves missing, with too few points, not finite or crossed. The
+ * message names the file and the curve, and there is no output.
+ */
+#ifndef vtkBoundaryCurveReader_h
+#define vtkBoundaryCurveReader_h
+
+#include "MienSurfaceModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class MIENSURFACE_EXPORT vtkBoundaryCurveReader : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkBoundaryCurveReader* New();
+  vtkTypeMacro(vtkBoundaryCurveReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The .vtp file. Default: none, which gives the generic face that is compiled in. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+protected:
+  vtkBoundaryCurveReader();
+  ~vtkBoundaryCurveReader() override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkBoundaryCurveReader(const vtkBoundaryCurveReader&) = delete;
+  void operator=(const vtkBoundaryCurveReader&) = delete;
+
+  char* FileName = nullptr;
+};
+
+#endif
