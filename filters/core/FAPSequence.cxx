@@ -1,0 +1,93 @@
+#include "FAPSequence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+
+namespace {
+
+constexpr double intervalTolerance = 1e-6;  // of a frame interval; see doc/decisions.md
+
+bool sets(const Viseme& v) {
+  return v.select1 != 0.0 || v.select2 != 0.0 || v.blend != 0.0 || v.definition != 0.0;
+}
+
+bool sets(const Expression& e) {
+  return e.select1 != 0.0 || e.select2 != 0.0 || e.intensity1 != 0.0 || e.intensity2 != 0.0 || e.initialFace != 0.0 ||
+         e.definition != 0.0;
+}
+
+FAPMask maskOfValues(const FAPFrame& frame) {
+  FAPMask mask;
+  mask[0] = sets(frame.viseme);
+  mask[1] = sets(frame.expression);
+  for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap) mask[fap - 1] = frame.value(fap) != 0.0;
+  return mask;
+}
+
+double mix(double a, double b, double weight) {
+  return (1.0 - weight) * a + weight * b;
+}
+
+void mixViseme(const Viseme& next, double weight, Viseme& viseme) {
+  if (viseme.select1 == next.select1 && viseme.select2 == next.select2)
+    viseme.blend = mix(viseme.blend, next.blend, weight);
+}
+
+void mixExpression(const Expression& next, double weight, Expression& expression) {
+  if (expression.select1 == next.select1) expression.intensity1 = mix(expression.intensity1, next.intensity1, weight);
+  if (expression.select2 == next.select2) expression.intensity2 = mix(expression.intensity2, next.intensity2, weight);
+}
+
+FAPFrame mixture(const FAPFrame& before, const FAPFrame& after, double weight) {
+  FAPFrame frame = before;
+  frame.number = mix(before.number, after.number, weight);
+  for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
+    frame.setValue(fap, mix(before.value(fap), after.value(fap), weight));
+  mixViseme(after.viseme, weight, frame.viseme);
+  mixExpression(after.expression, weight, frame.expression);
+  return frame;
+}
+
+}  // namespace
+
+FAPMask FAPSequence::mask(std::size_t index) const {
+  return index < masks.size() ? masks[index] : maskOfValues(frames[index]);
+}
+
+std::vector<int> FAPSequence::fapsUsed() const {
+  FAPMask all;
+  for (std::size_t index = 0; index < frames.size(); ++index) all |= mask(index);
+  std::vector<int> used;
+  for (int fap = 1; fap <= FAPFrame::count; ++fap)
+    if (all[fap - 1]) used.push_back(fap);
+  return used;
+}
+
+double FAPSequence::duration() const {
+  return frames.empty() ? 0.0 : timeOfFrame(frames.size() - 1);
+}
+
+std::optional<std::size_t> FAPSequence::indexOfNumber(double number) const {
+  const auto found =
+      std::find_if(frames.begin(), frames.end(), [number](const FAPFrame& frame) { return frame.number == number; });
+  if (found == frames.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - frames.begin());
+}
+
+std::size_t FAPSequence::indexAtTime(double time) const {
+  const double position = std::floor(time * framesPerSecond + intervalTolerance);
+  if (!(position > 0.0)) return 0;  // also for a time that is not a number
+  const std::size_t last = frames.size() - 1;
+  return position < static_cast<double>(last) ? static_cast<std::size_t>(position) : last;
+}
+
+FAPFrame FAPSequence::frameAtTime(double time, bool interpolate) const {
+  const std::size_t index = indexAtTime(time);
+  const double weight = time * framesPerSecond - static_cast<double>(index);
+  if (!interpolate || index + 1 == frames.size() || !(weight > intervalTolerance)) return frames[index];
+  return mixture(frames[index], frames[index + 1], weight);
+}
+
+}  // namespace mien

@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "FAPSequence.h"
+
+using namespace mien;
+
+namespace {
+
+FAPSequence ramp(std::size_t count, double framesPerSecond) {
+  FAPSequence sequence;
+  sequence.framesPerSecond = framesPerSecond;
+  sequence.frames.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    sequence.frames[i].number = 1.0 + i;
+    sequence.frames[i].setValue(53, 100.0 * i);
+  }
+  return sequence;
+}
+
+}  // namespace
+
+TEST(FAPSequence, EveryTimeStepFindsItsFrameAlsoWhenSummedUp) {
+  for (double rate : {2.0, 10.0, 25.0, 29.97, 1000.0 / 33.0}) {
+    const FAPSequence sequence = ramp(1000, rate);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 1000; ++i, sum += 1.0 / rate) {
+      ASSERT_EQ(sequence.indexAtTime(sequence.timeOfFrame(i)), i) << rate;
+      ASSERT_EQ(sequence.indexAtTime(sum), i) << rate;
+      ASSERT_EQ(sequence.frameAtTime(sequence.timeOfFrame(i), true).value(53), 100.0 * i) << rate;
+    }
+  }
+}
+
+TEST(FAPSequence, TimesOutsideGiveTheEnds) {
+  const FAPSequence sequence = ramp(4, 10.0);
+  EXPECT_EQ(sequence.indexAtTime(-1.0), 0u);
+  EXPECT_EQ(sequence.indexAtTime(1e300), 3u);
+  EXPECT_EQ(sequence.indexAtTime(std::numeric_limits<double>::infinity()), 3u);
+  EXPECT_EQ(sequence.indexAtTime(std::nan("")), 0u);
+  EXPECT_EQ(sequence.frameAtTime(9.0, true).value(53), 300.0);
+  EXPECT_EQ(sequence.frameAtTime(-9.0, true).value(53), 0.0);
+  EXPECT_DOUBLE_EQ(sequence.duration(), 0.3);
+}
+
+TEST(FAPSequence, BetweenFramesTheFrameBeforeOrTheLinearMixture) {
+  const FAPSequence sequence = ramp(4, 10.0);
+  EXPECT_EQ(sequence.frameAtTime(0.125, false).value(53), 100.0);
+  EXPECT_NEAR(sequence.frameAtTime(0.125, true).value(53), 125.0, 1e-10);
+  EXPECT_NEAR(sequence.frameAtTime(0.125, true).number, 2.25, 1e-12);
+}
+
+TEST(FAPSequence, WeightsMixOnlyWhileTheSelectionStays) {
+  FAPSequence sequence = ramp(2, 1.0);
+  sequence.frames[0].expression = {1, 10, 2, 20, 0, 0};
+  sequence.frames[1].expression = {1, 30, 3, 60, 0, 0};
+  sequence.frames[0].viseme = {5, 0, 63, 0};
+  sequence.frames[1].viseme = {6, 0, 0, 0};
+  const FAPFrame frame = sequence.frameAtTime(0.5, true);
+  EXPECT_EQ(frame.expression.intensity1, 20.0);
+  EXPECT_EQ(frame.expression.select2, 2.0);
+  EXPECT_EQ(frame.expression.intensity2, 20.0);
+  EXPECT_EQ(frame.viseme.select1, 5.0);
+  EXPECT_EQ(frame.viseme.blend, 63.0);
+}
+
+TEST(FAPSequence, FindsAFrameByTheNumberWritten) {
+  const FAPSequence sequence = ramp(4, 10.0);
+  EXPECT_EQ(sequence.indexOfNumber(3.0), std::optional<std::size_t>(2));
+  EXPECT_FALSE(sequence.indexOfNumber(0.0).has_value());
+}
+
+TEST(FAPSequence, UsedFAPsComeFromTheMasksElseFromTheValues) {
+  FAPSequence sequence = ramp(2, 10.0);
+  sequence.frames[1].viseme.select1 = 3;
+  EXPECT_EQ(sequence.fapsUsed(), (std::vector<int>{1, 53}));
+  sequence.masks.resize(2);
+  sequence.masks[0].set(18);
+  EXPECT_EQ(sequence.fapsUsed(), (std::vector<int>{19}));
+}
