@@ -1,0 +1,97 @@
+#include "FaceSurface.h"
+
+#include "SharedDerivatives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace mien {
+
+namespace {
+
+/// Rows of the result: for every condition the combination of the 29 curves that it prescribes.
+Eigen::MatrixXd boundaryData(const std::vector<Condition>& conditions, int patch, double strength) {
+  Eigen::MatrixXd data = Eigen::MatrixXd::Zero(conditions.size(), FaceLayout::curveCount);
+  for (size_t i = 0; i < conditions.size(); ++i) {
+    const int curve = FaceLayout::firstCurve[patch] + conditions[i].curve;
+    if (conditions[i].derivative == 0)
+      data(i, curve) = 1.0;
+    else
+      data.row(i) = strength * sharedDerivatives(conditions[i].derivative).row(curve);
+  }
+  return data;
+}
+
+SurfacePiece makePiece(const FaceScheme::Piece& recipe, int patch, const FaceSurfaceOptions& options) {
+  SurfacePiece piece;
+  piece.conditions = recipe.conditions;
+  for (size_t i = 0; i < piece.conditions.size(); ++i) piece.conditions[i].curve = static_cast<int>(i);
+  piece.smoothing = options.smoothing[patch];
+  piece.begin = recipe.begin;
+  piece.end = recipe.end;
+  const Eigen::MatrixXd data = boundaryData(recipe.conditions, patch, options.derivativeStrength);
+  piece.boundaryData = [data](int) { return data; };
+  return piece;
+}
+
+/// Rows in (begin, end], and those at begin where no piece before has taken them.
+void dealRows(const RowLayout& layout, int patch, size_t& next, SurfacePiece& piece) {
+  const auto& rows = layout.rows();
+  piece.firstRow = static_cast<int>(next);
+  for (; next < rows.size() && rows[next].patch == patch && rows[next].u <= piece.end; ++next)
+    piece.u.push_back(rows[next].u);
+}
+
+std::string allSchemeNames() {
+  std::string names;
+  for (const FaceScheme& scheme : faceSchemes()) names += (names.empty() ? "" : ", ") + scheme.name;
+  return names;
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+std::string describeRateFault(const FaceSurfaceOptions& options, const FaceScheme& scheme) {
+  const double a = *std::max_element(options.smoothing.begin(), options.smoothing.end());
+  const double rate = a * (options.modes + 1);
+  if (rate <= scheme.largestRate) return {};
+  return "the " + scheme.name + " scheme loses all precision past a (N + 1) = " + number(scheme.largestRate) + ", and a = " +
+         number(a) + ", N = " + number(options.modes) + " make " + number(rate) + "; choose a smaller a or N, or another scheme";
+}
+
+}  // namespace
+
+bool FaceSurfaceOptions::operator==(const FaceSurfaceOptions& other) const {
+  return scheme == other.scheme && smoothing == other.smoothing && modes == other.modes && remainder == other.remainder &&
+         derivativeStrength == other.derivativeStrength;
+}
+
+std::string describeFault(const FaceSurfaceOptions& options, int pointsPerCurve) {
+  const FaceScheme* scheme = findFaceScheme(options.scheme);
+  if (!scheme) return "there is no scheme '" + options.scheme + "'; the schemes are " + allSchemeNames();
+  for (const double a : options.smoothing)
+    if (!(a > 0.0 && a <= FaceSurfaceOptions::largestSmoothing))
+      return "a = " + number(a) + " is outside 0 < a <= " + number(FaceSurfaceOptions::largestSmoothing);
+  if (options.modes < 0 || options.modes > pointsPerCurve / 2)
+    return "N = " + number(options.modes) + " is outside 0 .. " + number(pointsPerCurve / 2) + " (curves have " +
+           number(pointsPerCurve) + " points)";
+  if (!std::isfinite(options.derivativeStrength)) return "the derivative strength is not a finite number";
+  return describeRateFault(options, *scheme);
+}
+
+std::vector<SurfacePiece> facePieces(const FaceSurfaceOptions& options, const RowLayout& layout) {
+  std::vector<SurfacePiece> pieces;
+  size_t nextRow = 0;
+  for (int patch = 0; patch < FaceLayout::patchCount; ++patch)
+    for (const FaceScheme::Piece& recipe : findFaceScheme(options.scheme)->pieces) {
+      pieces.push_back(makePiece(recipe, patch, options));
+      dealRows(layout, patch, nextRow, pieces.back());
+    }
+  return pieces;
+}
+
+}  // namespace mien

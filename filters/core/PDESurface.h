@@ -1,0 +1,59 @@
+#pragma once
+
+#include "BoundaryField.h"
+#include "SurfacePiece.h"
+
+#include <string>
+#include <vector>
+
+namespace mien {
+
+/// A surface of pieces on one grid, re-evaluated for ever new curves: S = U B.
+///
+/// U depends on the pieces, a and N only and is made once; B is made from the curves each time.
+/// Grids are row-major: (rows) x (x, y, z of column 0, of column 1, ...), mm.
+template <class Scalar>
+class PDESurface {
+ public:
+  /// @param curveCount  curves that every piece's boundaryData combines
+  /// @param v           columns of the grid, radians
+  PDESurface(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split, int curveCount, const Eigen::VectorXd& v);
+
+  /// One sentence that says which piece's conditions determine no surface, or nothing.
+  const std::string& fault() const { return fault_; }
+
+  int rowCount() const { return rowCount_; }
+  int columnCount() const { return columnCount_; }
+
+  /// New curves; no allocation after the first time.
+  void setCurves(const ClosedCurves& curves);
+
+  using Grid = Eigen::Map<RowMajor<Scalar>>;
+
+  /// Rows firstRow .. firstRow + grid.rows() - 1 of S, S_u and S_v. Safe to call from several threads.
+  void position(int firstRow, Grid grid) const { evaluate(u_, b_, firstRow, grid); }
+  void derivativeU(int firstRow, Grid grid) const { evaluate(uDerivative_, b_, firstRow, grid); }
+  void derivativeV(int firstRow, Grid grid) const { evaluate(u_, bDerivative_, firstRow, grid); }
+
+ private:
+  /// The part of U that belongs to one piece, cut to the curves that it uses.
+  struct Block {
+    int firstRow, firstCurve;
+    RowMajor<Scalar> matrix;
+  };
+
+  void addBlock(const SurfacePiece& piece, int derivative, std::vector<Block>& blocks);
+  void evaluate(const std::vector<Block>& u, const BoundaryField<Scalar>& b, int firstRow, Grid& grid) const;
+
+  HarmonicSplit split_;
+  int curveCount_, columnCount_, rowCount_ = 0;
+  Eigen::MatrixXd analysis_, samples_, coefficients_;
+  BoundaryField<Scalar> b_, bDerivative_;
+  std::vector<Block> u_, uDerivative_;
+  std::string fault_;
+};
+
+extern template class PDESurface<float>;
+extern template class PDESurface<double>;
+
+}  // namespace mien

@@ -1,0 +1,46 @@
+#include "SurfacePiece.h"
+
+#include "ModeOperator.h"
+
+#include <algorithm>
+
+namespace mien {
+
+namespace {
+
+ModeOperator modeOperator(const SurfacePiece& piece, const HarmonicSplit& split, int part) {
+  return ModeOperator(split.rate(part, piece.smoothing), piece.conditions, piece.begin, piece.end);
+}
+
+/// Row i of the data that the conditions name, condition by condition.
+Eigen::MatrixXd dataOfConditions(const SurfacePiece& piece, int part) {
+  const Eigen::MatrixXd data = piece.boundaryData(part);
+  Eigen::MatrixXd chosen(piece.conditions.size(), data.cols());
+  for (size_t i = 0; i < piece.conditions.size(); ++i) chosen.row(i) = data.row(piece.conditions[i].curve);
+  return chosen;
+}
+
+}  // namespace
+
+Eigen::MatrixXd surfaceOperator(const SurfacePiece& piece, const HarmonicSplit& split, int curveCount, int derivative) {
+  const int parts = split.count();
+  Eigen::MatrixXd u(piece.u.size(), piece.conditions.size());
+  Eigen::MatrixXd result(piece.u.size(), curveCount * parts);
+  for (int part = 0; part < parts; ++part) {
+    const ModeOperator mode = modeOperator(piece, split, part);
+    if (!mode.solvable()) return {};
+    for (size_t row = 0; row < piece.u.size(); ++row) u.row(row) = mode.row(piece.u[row], derivative);
+    const Eigen::MatrixXd product = u * dataOfConditions(piece, part);
+    for (int c = 0; c < curveCount; ++c) result.col(c * parts + part) = product.col(c);
+  }
+  return result;
+}
+
+double lebesgueConstant(const SurfacePiece& piece, const HarmonicSplit& split) {
+  double largest = 0.0;
+  for (int part = 0; part < split.count(); ++part)
+    largest = std::max(largest, modeOperator(piece, split, part).lebesgueConstant());
+  return largest;
+}
+
+}  // namespace mien
