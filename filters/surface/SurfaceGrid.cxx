@@ -1,0 +1,230 @@
+#include "SurfaceGrid.h"
+
+#include "PDESurface.h"
+#include "SurfaceNormals.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+namespace mien
+{
+
+namespace
+{
+
+/// Points that one thread computes at a time: the rows of S, S_u, S_v and the normals stay in its cache.
+constexpr vtkIdType pointsPerTask = 4096;
+/// Points between two looks at the abort flag; about 0.05 s of work on one core.
+constexpr vtkIdType pointsPerSlab = 1 << 20;
+
+int columnsOf(const SurfaceGridLayout& layout)
+{
+  return layout.extent[1] - layout.extent[0] + 1;
+}
+
+int rowsOf(const SurfaceGridLayout& layout)
+{
+  return layout.extent[3] - layout.extent[2] + 1;
+}
+
+double columnV(const SurfaceGridLayout& layout, int column)
+{
+  return 2.0 * M_PI * (column % layout.columns) / layout.columns;
+}
+
+/// The closing column is computed at v = 0, so that it repeats the first to the bit.
+Eigen::VectorXd columnParameters(const SurfaceGridLayout& layout)
+{
+  Eigen::VectorXd v(columnsOf(layout));
+  for (int i = 0; i < v.size(); ++i)
+    v[i] = columnV(layout, layout.extent[0] + i);
+  return v;
+}
+
+vtkSmartPointer<vtkFloatArray> textureCoordinates(const SurfaceGridLayout& layout)
+{
+  auto coordinates = vtkSmartPointer<vtkFloatArray>::New();
+  coordinates->SetName("TextureCoordinates");
+  coordinates->SetNumberOfComponents(2);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(columnsOf(layout)) * rowsOf(layout));
+  float* next = coordinates->GetPointer(0);
+  for (int row = layout.extent[2]; row <= layout.extent[3]; ++row)
+    for (int column = layout.extent[0]; column <= layout.extent[1]; ++column)
+    {
+      *next++ = static_cast<float>(column) / layout.columns;
+      *next++ = static_cast<float>(1.0 - layout.faceU[row]);
+    }
+  return coordinates;
+}
+
+vtkSmartPointer<vtkIntArray> patchIds(const SurfaceGridLayout& layout)
+{
+  auto ids = vtkSmartPointer<vtkIntArray>::New();
+  ids->SetName("PatchId");
+  for (int row = layout.extent[2]; row < layout.extent[3]; ++row)
+    for (int column = layout.extent[0]; column < layout.extent[1]; ++column)
+      ids->InsertNextValue(layout.patchOfCells[row]);
+  return ids;
+}
+
+/// A cell of the slit is hidden when its middle lies between the mouth corners.
+bool liesInSlit(const SurfaceGridLayout& layout, int row, int column)
+{
+  const double middle = 2.0 * M_PI * (column + 0.5) / layout.columns;
+  return row == layout.slitRow && middle > layout.slitBegin && middle < layout.slitEnd;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> hiddenCells(const SurfaceGridLayout& layout)
+{
+  auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  bool any = false;
+  for (int row = layout.extent[2]; row < layout.extent[3]; ++row)
+    for (int column = layout.extent[0]; column < layout.extent[1]; ++column)
+    {
+      const bool hidden = liesInSlit(layout, row, column);
+      ghosts->InsertNextValue(hidden ? vtkDataSetAttributes::HIDDENCELL : 0);
+      any = any || hidden;
+    }
+  return any ? ghosts : nullptr;
+}
+
+template <class Scalar>
+vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>> vectorArray(const char* name, vtkIdType size)
+{
+  auto array = vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>>::Take(vtkArrayDownCast<vtkAOSDataArrayTemplate<Scalar>>(
+    vtkDataArray::CreateDataArray(vtkTypeTraits<Scalar>::VTKTypeID())));
+  array->SetName(name);
+  array->SetNumberOfComponents(3);
+  array->SetNumberOfTuples(size);
+  return array;
+}
+
+template <class Scalar>
+class TypedSurfaceGrid : public SurfaceGrid
+{
+public:
+  TypedSurfaceGrid(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split, int curveCount,
+    const SurfaceGridLayout& layout)
+    : Layout(layout)
+    , Surface(pieces, split, curveCount, columnParameters(layout))
+    , TextureCoordinates(textureCoordinates(layout))
+    , PatchIds(patchIds(layout))
+    , HiddenCells(hiddenCells(layout))
+  {
+  }
+
+  std::string fault() const override { return this->Surface.fault(); }
+
+  void execute(const ClosedCurves& curves, bool derivatives, vtkAlgorithm* self, vtkStructuredGrid* output) override
+  {
+    this->Surface.setCurves(curves);
+    const vtkIdType size = static_cast<vtkIdType>(columnsOf(this->Layout)) * rowsOf(this->Layout);
+    const auto points = vectorArray<Scalar>("Points", size);
+    const auto normals = vectorArray<Scalar>("Normals", size);
+    const auto su = derivatives ? vectorArray<Scalar>("Su", size) : nullptr;
+    const auto sv = derivatives ? vectorArray<Scalar>("Sv", size) : nullptr;
+    if (!this->computeRows({ points, normals, su, sv }, self))
+      return;
+    this->assemble(points, output);
+    output->GetPointData()->SetNormals(normals);
+    for (const auto& array : { su, sv })
+      if (array)
+        output->GetPointData()->AddArray(array);
+  }
+
+private:
+  using Array = vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>>;
+  struct Arrays
+  {
+    Array points, normals, su, sv;
+  };
+
+  /// All rows in slabs; false when the algorithm was aborted.
+  bool computeRows(const Arrays& arrays, vtkAlgorithm* self) const
+  {
+    const int rows = rowsOf(this->Layout);
+    const int slab = static_cast<int>(std::max<vtkIdType>(1, pointsPerSlab / columnsOf(this->Layout)));
+    const vtkIdType grain = std::max<vtkIdType>(1, pointsPerTask / columnsOf(this->Layout));
+    for (int begin = 0; begin < rows; begin += slab)
+    {
+      if (self->GetAbortExecute())
+        return false;
+      const int end = std::min(rows, begin + slab);
+      vtkSMPTools::For(begin, end, grain, [&](vtkIdType first, vtkIdType last) {
+        for (vtkIdType row = first; row < last; row += grain)
+          this->computeTask(arrays, row, std::min(last, row + grain));
+      });
+      self->UpdateProgress(static_cast<double>(end) / rows);
+    }
+    return !self->GetAbortExecute();
+  }
+
+  void computeTask(const Arrays& arrays, vtkIdType first, vtkIdType last) const
+  {
+    using Grid = typename PDESurface<Scalar>::Grid;
+    const vtkIdType columns = columnsOf(this->Layout), rows = last - first;
+    const auto grid = [&](const Array& array) {
+      return Grid(array->GetPointer(3 * first * columns), rows, 3 * columns);
+    };
+    thread_local RowMajor<Scalar> scratch;
+    if (!arrays.su)
+      scratch.resize(2 * rows, 3 * columns);
+    const Grid su = arrays.su ? grid(arrays.su) : Grid(scratch.data(), rows, 3 * columns);
+    const Grid sv = arrays.sv ? grid(arrays.sv) : Grid(scratch.data() + rows * 3 * columns, rows, 3 * columns);
+    const int row = this->Layout.extent[2] + static_cast<int>(first);
+    this->Surface.position(row, grid(arrays.points));
+    this->Surface.derivativeU(row, su);
+    this->Surface.derivativeV(row, sv);
+    surfaceNormals<Scalar>(su, sv, grid(arrays.normals));
+  }
+
+  void assemble(const Array& coordinates, vtkStructuredGrid* output) const
+  {
+    vtkNew<vtkPoints> points;
+    points->SetData(coordinates);
+    output->SetExtent(const_cast<int*>(this->Layout.extent));
+    output->SetPoints(points);
+    output->GetPointData()->SetTCoords(this->TextureCoordinates);
+    output->GetCellData()->AddArray(this->PatchIds);
+    if (this->HiddenCells)
+      output->GetCellData()->AddArray(this->HiddenCells);
+  }
+
+  SurfaceGridLayout Layout;
+  PDESurface<Scalar> Surface;
+  vtkSmartPointer<vtkFloatArray> TextureCoordinates;
+  vtkSmartPointer<vtkIntArray> PatchIds;
+  vtkSmartPointer<vtkUnsignedCharArray> HiddenCells;
+};
+
+} // namespace
+
+bool SurfaceGridLayout::operator==(const SurfaceGridLayout& other) const
+{
+  return this->faceU == other.faceU && this->patchOfCells == other.patchOfCells && this->columns == other.columns &&
+    this->slitRow == other.slitRow && this->slitBegin == other.slitBegin && this->slitEnd == other.slitEnd &&
+    std::equal(this->extent, this->extent + 6, other.extent);
+}
+
+std::unique_ptr<SurfaceGrid> SurfaceGrid::make(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split,
+  int curveCount, const SurfaceGridLayout& layout, bool doublePrecision)
+{
+  if (doublePrecision)
+    return std::make_unique<TypedSurfaceGrid<double>>(pieces, split, curveCount, layout);
+  return std::make_unique<TypedSurfaceGrid<float>>(pieces, split, curveCount, layout);
+}
+
+} // namespace mien

@@ -1,0 +1,223 @@
+#include "vtkPDEFaceFilter.h"
+
+#include "BoundaryCurveData.h"
+#include "FaceSurface.h"
+#include "SurfaceGrid.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkPDEFaceFilter);
+
+namespace
+{
+
+constexpr int minimumColumns = 3;
+
+/// v of the mouth's right and left corner: the ends of the inner lip contour, else of the open samples.
+std::pair<double, double> mouthCorners(const mien::FaceCurves& face)
+{
+  const mien::FeaturePoint* left = face.feature("2.4");
+  const mien::FeaturePoint* right = face.feature("2.5");
+  if (left && right)
+    return { std::min(left->v, right->v), std::max(left->v, right->v) };
+  const auto gap = (face.curves.curve(mien::FaceLayout::upperLip) - face.curves.curve(mien::FaceLayout::lowerLip)).eval();
+  int first = -1, last = -1;
+  for (int j = 0; j < gap.rows(); ++j)
+    if (gap.row(j).norm() > 1e-9)
+    {
+      first = first < 0 ? j : first;
+      last = j;
+    }
+  const double step = 2.0 * M_PI / face.curves.pointsPerCurve;
+  return first < 0 ? std::make_pair(0.0, 0.0) : std::make_pair((first - 1) * step, (last + 1) * step);
+}
+
+/// The grid with everything but its extent.
+mien::SurfaceGridLayout faceLayout(const mien::RowLayout& rows, int columns, const mien::FaceCurves& face)
+{
+  mien::SurfaceGridLayout layout;
+  for (const mien::FaceRow& row : rows.rows())
+    layout.faceU.push_back(row.faceU);
+  for (size_t i = 1; i < layout.faceU.size(); ++i)
+    layout.patchOfCells.push_back(rows.rows()[i].patch);
+  layout.columns = columns;
+  layout.slitRow = rows.upperLipRow();
+  std::tie(layout.slitBegin, layout.slitEnd) = mouthCorners(face);
+  return layout;
+}
+
+} // namespace
+
+struct vtkPDEFaceFilter::Internals
+{
+  mien::FaceSurfaceOptions options;
+
+  /// The operators of the last update and what they were made for.
+  std::unique_ptr<mien::SurfaceGrid> grid;
+  mien::FaceSurfaceOptions gridOptions;
+  mien::SurfaceGridLayout gridLayout;
+  int gridPointsPerCurve = 0;
+  bool gridDoublePrecision = false;
+
+  bool isFor(const mien::SurfaceGridLayout& layout, int pointsPerCurve, bool doublePrecision) const
+  {
+    return grid && gridOptions == options && gridLayout == layout && gridPointsPerCurve == pointsPerCurve &&
+      gridDoublePrecision == doublePrecision;
+  }
+
+  void prepare(const mien::RowLayout& rows, const mien::SurfaceGridLayout& layout, int pointsPerCurve, bool doublePrecision)
+  {
+    if (isFor(layout, pointsPerCurve, doublePrecision))
+      return;
+    const mien::HarmonicSplit split(pointsPerCurve, options.modes, options.remainder);
+    grid = mien::SurfaceGrid::make(
+      mien::facePieces(options, rows), split, mien::FaceLayout::curveCount, layout, doublePrecision);
+    gridOptions = options;
+    gridLayout = layout;
+    gridPointsPerCurve = pointsPerCurve;
+    gridDoublePrecision = doublePrecision;
+  }
+};
+
+vtkPDEFaceFilter::vtkPDEFaceFilter()
+  : Impl(new Internals)
+{
+}
+
+vtkPDEFaceFilter::~vtkPDEFaceFilter() = default;
+
+void vtkPDEFaceFilter::SetScheme(const std::string& name)
+{
+  if (this->Impl->options.scheme == name)
+    return;
+  this->Impl->options.scheme = name;
+  this->Modified();
+}
+
+std::string vtkPDEFaceFilter::GetScheme() const
+{
+  return this->Impl->options.scheme;
+}
+
+std::vector<std::string> vtkPDEFaceFilter::GetSchemeNames()
+{
+  std::vector<std::string> names;
+  for (const mien::FaceScheme& scheme : mien::faceSchemes())
+    names.push_back(scheme.name);
+  return names;
+}
+
+void vtkPDEFaceFilter::SetSmoothing(double a)
+{
+  for (int patch = 0; patch < mien::FaceLayout::patchCount; ++patch)
+    this->SetSmoothing(patch, a);
+}
+
+void vtkPDEFaceFilter::SetSmoothing(int patch, double a)
+{
+  if (patch < 0 || patch >= mien::FaceLayout::patchCount)
+  {
+    vtkErrorMacro(<< "there is no patch " << patch << "; patches are 0 .. " << mien::FaceLayout::patchCount - 1);
+    return;
+  }
+  if (this->Impl->options.smoothing[patch] == a)
+    return;
+  this->Impl->options.smoothing[patch] = a;
+  this->Modified();
+}
+
+double vtkPDEFaceFilter::GetSmoothing(int patch) const
+{
+  const bool exists = patch >= 0 && patch < mien::FaceLayout::patchCount;
+  return exists ? this->Impl->options.smoothing[patch] : 0.0;
+}
+
+void vtkPDEFaceFilter::SetResolution(int rows, int columns)
+{
+  if (rows == this->NumberOfRows && columns == this->NumberOfColumns)
+    return;
+  this->NumberOfRows = rows;
+  this->NumberOfColumns = columns;
+  this->Modified();
+}
+
+int vtkPDEFaceFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+int vtkPDEFaceFilter::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  if (this->NumberOfRows < mien::RowLayout::minimumRows || this->NumberOfColumns < minimumColumns)
+  {
+    vtkErrorMacro(<< "a resolution of " << this->NumberOfRows << "x" << this->NumberOfColumns << " is too coarse; at least "
+                  << mien::RowLayout::minimumRows << "x" << minimumColumns << " is needed");
+    return 0;
+  }
+  const int extent[6] = { 0, this->NumberOfColumns, 0, this->NumberOfRows - 1, 0, 0 };
+  vtkInformation* info = outputs->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
+  return 1;
+}
+
+// Whatever part of the surface is wanted, it takes whole curves.
+int vtkPDEFaceFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  vtkInformation* info = inputs[0]->GetInformationObject(0);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  return 1;
+}
+
+int vtkPDEFaceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  mien::FaceCurves face;
+  std::string fault = mien::readFaceCurves(vtkPolyData::GetData(inputs[0]), face);
+  this->Impl->options.modes = this->NumberOfModes;
+  this->Impl->options.remainder = this->Remainder;
+  this->Impl->options.derivativeStrength = this->DerivativeStrength;
+  if (fault.empty())
+    fault = mien::describeFault(this->Impl->options, face.curves.pointsPerCurve);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault);
+    return 0;
+  }
+  const mien::RowLayout rows(this->NumberOfRows, this->UniformRows);
+  mien::SurfaceGridLayout layout = faceLayout(rows, this->NumberOfColumns, face);
+  outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), layout.extent);
+  vtkStructuredGrid* output = vtkStructuredGrid::GetData(outputs);
+  if (layout.extent[1] < layout.extent[0] || layout.extent[3] < layout.extent[2])
+    return 1;
+  this->Impl->prepare(rows, layout, face.curves.pointsPerCurve, this->OutputPointsPrecision == DOUBLE_PRECISION);
+  this->Impl->grid->execute(face.curves, this->GenerateDerivatives, this, output);
+  return 1;
+}
+
+void vtkPDEFaceFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scheme: " << this->GetScheme() << "\n";
+  os << indent << "Smoothing:";
+  for (const double a : this->Impl->options.smoothing)
+    os << " " << a;
+  os << "\n" << indent << "NumberOfModes: " << this->NumberOfModes << "\n";
+  os << indent << "Remainder: " << this->Remainder << "\n";
+  os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
+  os << indent << "NumberOfColumns: " << this->NumberOfColumns << "\n";
+  os << indent << "UniformRows: " << this->UniformRows << "\n";
+  os << indent << "DerivativeStrength: " << this->DerivativeStrength << "\n";
+  os << indent << "GenerateDerivatives: " << this->GenerateDerivatives << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}
