@@ -1,0 +1,51 @@
+#pragma once
+
+#include "MienAnimationModule.h"
+
+#include "FaceState.h"
+
+#include <memory>
+#include <string>
+
+class vtkAlgorithm;
+class vtkBoundaryCurveReader;
+class vtkPDEFaceFilter;
+
+/// The VTK pipeline that shows a FaceState, for every program:
+///   vtkBoundaryCurveReader --> vtkPDEFaceFilter --> vtkGeometryFilter
+///
+/// Setting a state touches only the filters whose properties differ, so that the next update does no more than it must.
+/// Errors are kept, not printed: update() returns them.
+namespace mien {
+
+class MIENANIMATION_EXPORT FacePipeline
+{
+public:
+  FacePipeline();
+  ~FacePipeline();
+  FacePipeline(const FacePipeline&) = delete;
+  FacePipeline& operator=(const FacePipeline&) = delete;
+
+  void setState(const FaceState& state);
+  const FaceState& state() const;
+
+  vtkBoundaryCurveReader* neutralCurves() const;
+  vtkAlgorithm* curves() const;    ///< vtkPolyData, the boundary curves as animated
+  vtkPDEFaceFilter* face() const;  ///< vtkStructuredGrid with the mouth slit blanked
+  vtkAlgorithm* surface() const;   ///< vtkPolyData for mappers, locators and writers: without the slit; wound inwards as the grid
+
+  /// Reads the curves alone; what is wrong with them or their file, or nothing.
+  std::string updateNeutralCurves();
+
+  /// Points per curve (K) after updateNeutralCurves(), 0 without curves.
+  int pointsPerCurve() const;
+
+  /// Brings the surface up to date; the first error on the way as one sentence, or nothing.
+  std::string update();
+
+private:
+  struct Internals;
+  std::unique_ptr<Internals> Impl;
+};
+
+} // namespace mien

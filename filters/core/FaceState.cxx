@@ -1,0 +1,68 @@
+#include "FaceState.h"
+
+#include "FAPFrame.h"
+
+#include <cmath>
+#include <sstream>
+#include <tuple>
+
+namespace mien {
+
+namespace {
+
+std::string number(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+auto members(const FaceState& s) {
+  return std::tie(s.curvesFile, s.surface, s.rows, s.columns, s.uniformRows, s.doublePrecision, s.fapFile, s.frameChoice,
+                  s.frame, s.fapValues, s.expression, s.expressionIntensity);
+}
+
+std::string describeResolutionFault(const FaceState& state) {
+  const std::string asked = "a resolution of " + std::to_string(state.rows) + "x" + std::to_string(state.columns);
+  if (state.rows < RowLayout::minimumRows || state.columns < FaceState::smallestColumns)
+    return asked + " is too coarse; at least " + std::to_string(RowLayout::minimumRows) + "x" +
+           std::to_string(FaceState::smallestColumns) + " is needed";
+  if (static_cast<double>(state.rows) * state.columns > FaceState::mostPoints)
+    return asked + " is too fine; at most " + std::to_string(static_cast<long>(FaceState::mostPoints)) + " points are allowed";
+  return {};
+}
+
+std::string describeFrameFault(const FaceState& state) {
+  if (!std::isfinite(state.frame)) return "the frame is not a finite number";
+  if (state.frameChoice == FaceState::FrameChoice::Index && !(state.frame >= 0.0 && std::floor(state.frame) == state.frame))
+    return "frame index " + number(state.frame) + " is no whole number from 0 up";
+  if (state.frameChoice == FaceState::FrameChoice::Time && state.frame < 0.0)
+    return "time " + number(state.frame) + " s lies before the first frame; times start at 0";
+  return {};
+}
+
+std::string describeFAPFault(const FaceState& state) {
+  for (const auto& [fap, value] : state.fapValues) {
+    if (fap < FAPFrame::firstLowLevel || fap > FAPFrame::count)
+      return "there is no low-level FAP " + std::to_string(fap) + "; they are " + std::to_string(FAPFrame::firstLowLevel) +
+             " .. " + std::to_string(FAPFrame::count);
+    if (!(std::abs(value) <= FaceState::largestFAPValue))
+      return "FAP " + std::to_string(fap) + " = " + number(value) + " is outside -" + number(FaceState::largestFAPValue) +
+             " .. " + number(FaceState::largestFAPValue);
+  }
+  if (!(state.expressionIntensity >= 0.0 && state.expressionIntensity <= 1.0))
+    return "expression intensity " + number(state.expressionIntensity) + " is outside 0 .. 1";
+  return {};
+}
+
+}  // namespace
+
+bool FaceState::operator==(const FaceState& other) const { return members(*this) == members(other); }
+
+std::string describeFault(const FaceState& state, int pointsPerCurve) {
+  for (const std::string& fault : {describeFault(state.surface, pointsPerCurve), describeResolutionFault(state),
+                                   describeFrameFault(state), describeFAPFault(state)})
+    if (!fault.empty()) return fault;
+  return {};
+}
+
+}  // namespace mien

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "FaceSurface.h"
+
+#include <map>
+#include <string>
+
+namespace mien {
+
+/// The one serialisable description of a face: what is drawn follows from it alone.
+///
+/// Command-line options, sessions of the application and the metadata of figures read and write it; FaceStateText
+/// gives its text form and FacePipeline the VTK pipeline that shows it.
+struct FaceState {
+  static constexpr int smallestColumns = 3;
+  static constexpr double mostPoints = 134217728.0;  ///< rows x columns; about 3 GB with normals, single precision
+  static constexpr double largestFAPValue = 1e6;     ///< in FAP units, either sign
+
+  /// Which frame of an animation file.
+  enum class FrameChoice {
+    Number,  ///< the frame number as written in the file
+    Index,   ///< counted from 0
+    Time     ///< seconds from the first frame
+  };
+
+  std::string curvesFile;      ///< .vtp of boundary curves; empty: the generic face
+  FaceSurfaceOptions surface;  ///< scheme, a per patch, N, remainder, derivative strength
+
+  int rows = 56;     ///< of the uv mesh, both lip rows counted
+  int columns = 40;  ///< without the closing one
+  bool uniformRows = false;
+  bool doublePrecision = false;  ///< of the surface's points and arrays
+
+  std::string fapFile;  ///< .fap; empty: none
+  FrameChoice frameChoice = FrameChoice::Index;
+  double frame = 0.0;  ///< a frame number, an index or a time in s
+
+  std::map<int, double> fapValues;  ///< FAP 1 .. 68 to FAP units; they add to those of the file
+  std::string expression;           ///< "joy" ..; empty: none
+  double expressionIntensity = 1.0;  ///< 0 .. 1
+
+  bool operator==(const FaceState& other) const;
+  bool operator!=(const FaceState& other) const { return !(*this == other); }
+};
+
+/// One sentence that says which property is out of range for curves of K points and what is allowed, or nothing.
+std::string describeFault(const FaceState& state, int pointsPerCurve);
+
+}  // namespace mien

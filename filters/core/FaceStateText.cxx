@@ -1,0 +1,204 @@
+#include "FaceStateText.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <charconv>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace mien {
+
+namespace {
+
+using json = nlohmann::json;
+using Choice = FaceState::FrameChoice;
+
+constexpr const char* versionKey = "mien_face_state";
+constexpr std::array<std::pair<Choice, const char*>, 3> frameKeys = {
+    {{Choice::Number, "frame"}, {Choice::Index, "index"}, {Choice::Time, "time"}}};
+
+/// Reads the members of one JSON object by name, each of the type wanted, and tells which were never asked for.
+class Members {
+ public:
+  Members(const json& object, std::string path, std::string& fault) : object_(object), path_(std::move(path)), fault_(fault) {
+    if (!object.is_object()) fail("", "is no object");
+  }
+
+  const json* find(const char* key) {
+    known_.insert(key);
+    return object_.is_object() && object_.contains(key) ? &object_[key] : nullptr;
+  }
+
+  void read(const char* key, std::string& value) {
+    if (const json* found = find(key)) found->is_string() ? void(value = *found) : fail(key, "is no text");
+  }
+  void read(const char* key, bool& value) {
+    if (const json* found = find(key)) found->is_boolean() ? void(value = *found) : fail(key, "is neither true nor false");
+  }
+  void read(const char* key, double& value) {
+    if (const json* found = find(key)) found->is_number() ? void(value = found->get<double>()) : fail(key, "is no number");
+  }
+  void read(const char* key, int& value) {
+    const json* found = find(key);
+    if (!found) return;
+    const bool fits = found->is_number_integer() && found->get<double>() >= std::numeric_limits<int>::min() &&
+                      found->get<double>() <= std::numeric_limits<int>::max();
+    fits ? void(value = found->get<int>()) : fail(key, "is no whole number of usual size");
+  }
+
+  /// Call when all members were read.
+  void refuseOthers() {
+    if (!object_.is_object()) return;
+    for (const auto& item : object_.items())
+      if (known_.count(item.key()) == 0) fail(item.key(), "is not known to this version");
+  }
+
+  void fail(const std::string& key, const std::string& what) {
+    const std::string dot = path_.empty() || key.empty() ? "" : ".";
+    if (fault_.empty()) fault_ = "face state: '" + path_ + dot + key + "' " + what;
+  }
+
+ private:
+  const json& object_;
+  std::string path_;
+  std::string& fault_;
+  std::set<std::string> known_;
+};
+
+void readSmoothing(Members& members, FaceState& state) {
+  const json* a = members.find("a");
+  if (!a) return;
+  auto& smoothing = state.surface.smoothing;
+  if (!a->is_array() || a->size() != smoothing.size()) return members.fail("a", "is no list of nine numbers");
+  for (size_t patch = 0; patch < smoothing.size(); ++patch)
+    (*a)[patch].is_number() ? void(smoothing[patch] = (*a)[patch].get<double>()) : members.fail("a", "is no list of nine numbers");
+}
+
+void readSurface(const json& object, FaceState& state, std::string& fault) {
+  Members members(object, "surface", fault);
+  members.read("scheme", state.surface.scheme);
+  readSmoothing(members, state);
+  members.read("harmonics", state.surface.modes);
+  members.read("remainder", state.surface.remainder);
+  members.read("derivative_strength", state.surface.derivativeStrength);
+  members.refuseOthers();
+}
+
+void readGrid(const json& object, FaceState& state, std::string& fault) {
+  Members members(object, "grid", fault);
+  std::string precision = state.doublePrecision ? "double" : "single";
+  members.read("rows", state.rows);
+  members.read("columns", state.columns);
+  members.read("uniform_rows", state.uniformRows);
+  members.read("precision", precision);
+  if (precision != "single" && precision != "double") members.fail("precision", "is neither single nor double");
+  state.doublePrecision = precision == "double";
+  members.refuseOthers();
+}
+
+void readAnimation(const json& object, FaceState& state, std::string& fault) {
+  Members members(object, "animation", fault);
+  members.read("file", state.fapFile);
+  int choices = 0;
+  for (const auto& [choice, key] : frameKeys)
+    if (members.find(key)) {
+      members.read(key, state.frame);
+      state.frameChoice = choice;
+      ++choices;
+    }
+  if (choices > 1) members.fail("", "has more than one of frame, index and time");
+  members.refuseOthers();
+}
+
+void readExpression(const json& object, FaceState& state, std::string& fault) {
+  Members members(object, "expression", fault);
+  members.read("name", state.expression);
+  members.read("intensity", state.expressionIntensity);
+  members.refuseOthers();
+}
+
+void readFAPValues(const json& object, FaceState& state, std::string& fault) {
+  Members members(object, "fap_values", fault);
+  if (!object.is_object()) return;
+  for (const auto& item : object.items()) {
+    const std::string& key = item.key();
+    int fap = 0;
+    const auto parsed = std::from_chars(key.data(), key.data() + key.size(), fap);
+    if (parsed.ec != std::errc() || parsed.ptr != key.data() + key.size())
+      members.fail(key, "is no FAP number");
+    else
+      members.read(key.c_str(), state.fapValues[fap]);
+  }
+}
+
+void readVersion(Members& members) {
+  const json* version = members.find(versionKey);
+  if (!version) return members.fail(versionKey, "is missing; this is no face state");
+  if (*version != faceStateVersion)
+    members.fail(versionKey, "is " + version->dump() + "; this program reads version " + std::to_string(faceStateVersion));
+}
+
+void readAll(const json& object, FaceState& state, std::string& fault) {
+  Members members(object, "", fault);
+  readVersion(members);
+  if (!fault.empty()) return;
+  members.read("curves", state.curvesFile);
+  using Section = void (*)(const json&, FaceState&, std::string&);
+  const std::pair<const char*, Section> sections[] = {{"surface", readSurface},
+                                                      {"grid", readGrid},
+                                                      {"animation", readAnimation},
+                                                      {"expression", readExpression},
+                                                      {"fap_values", readFAPValues}};
+  for (const auto& [key, read] : sections)
+    if (const json* section = members.find(key)) read(*section, state, fault);
+  members.refuseOthers();
+}
+
+const char* keyOf(Choice choice) {
+  for (const auto& [known, key] : frameKeys)
+    if (known == choice) return key;
+  return "index";
+}
+
+json fapValues(const FaceState& state) {
+  json values = json::object();
+  for (const auto& [fap, value] : state.fapValues) values[std::to_string(fap)] = value;
+  return values;
+}
+
+}  // namespace
+
+std::string writeFaceState(const FaceState& state) {
+  json object;
+  object[versionKey] = faceStateVersion;
+  if (!state.curvesFile.empty()) object["curves"] = state.curvesFile;
+  object["surface"] = {{"scheme", state.surface.scheme},
+                       {"a", state.surface.smoothing},
+                       {"harmonics", state.surface.modes},
+                       {"remainder", state.surface.remainder},
+                       {"derivative_strength", state.surface.derivativeStrength}};
+  object["grid"] = {{"rows", state.rows},
+                    {"columns", state.columns},
+                    {"uniform_rows", state.uniformRows},
+                    {"precision", state.doublePrecision ? "double" : "single"}};
+  if (!state.fapFile.empty()) object["animation"] = {{"file", state.fapFile}, {keyOf(state.frameChoice), state.frame}};
+  if (!state.fapValues.empty()) object["fap_values"] = fapValues(state);
+  if (!state.expression.empty())
+    object["expression"] = {{"name", state.expression}, {"intensity", state.expressionIntensity}};
+  // Names of files may hold any bytes; what is no UTF-8 is replaced rather than thrown at.
+  return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::string readFaceState(const std::string& text, FaceState& state) {
+  const json object = json::parse(text, nullptr, false);
+  if (object.is_discarded()) return "face state: this is no valid JSON";
+  FaceState read;
+  std::string fault;
+  readAll(object, read, fault);
+  if (fault.empty()) state = std::move(read);
+  return fault;
+}
+
+}  // namespace mien

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "FaceState.h"
+
+#include <string>
+
+namespace mien {
+
+/// Text form of a FaceState: a JSON object with the members
+/// - `mien_face_state`: the version, 1;
+/// - `curves`: file name, left out for the generic face;
+/// - `surface`: `scheme`, `a` (nine numbers), `harmonics`, `remainder`, `derivative_strength`;
+/// - `grid`: `rows`, `columns`, `uniform_rows`, `precision` ("single" or "double");
+/// - `animation`: `file` and one of `frame`, `index`, `time` (s); left out without a file;
+/// - `fap_values`: FAP number to FAP units;
+/// - `expression`: `name` and `intensity` (0 .. 1); left out without one.
+/// Numbers are written so that they read back to the bit. A member left out has its default.
+constexpr int faceStateVersion = 1;
+
+std::string writeFaceState(const FaceState& state);
+
+/// @return nothing, or one sentence that names the member at fault; the state is then as it was. A member that this
+/// version does not know is a fault, because to drop it would show another face.
+std::string readFaceState(const std::string& text, FaceState& state);
+
+}  // namespace mien

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "MienSurfaceModule.h"
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+
+/// What the filters of a pipeline report, kept instead of printed to the console.
+///
+/// An observed filter is silent; its own message comes without the class and line of source that VTK puts before it.
+/// May be destroyed before the filters.
+namespace mien {
+
+class MIENSURFACE_EXPORT PipelineErrors
+{
+public:
+  PipelineErrors();
+  ~PipelineErrors();
+  PipelineErrors(const PipelineErrors&) = delete;
+  PipelineErrors& operator=(const PipelineErrors&) = delete;
+
+  void observe(vtkAlgorithm* algorithm);
+
+  /// The first error since the last clear(), which those after it follow from; nothing when there was none.
+  std::string first() const;
+
+  /// All warnings since the last clear().
+  std::vector<std::string> warnings() const;
+
+  void clear();
+
+private:
+  class Keeper;
+  Keeper* Kept;
+};
+
+} // namespace mien
