@@ -17,15 +17,19 @@ if(MIEN_CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER "${MIEN_CCACHE}")
   set(CMAKE_CXX_COMPILER_LAUNCHER "${MIEN_CCACHE}")
 endif()
-find_program(MIEN_MOLD mold)
-if(MIEN_MOLD)
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=mold MIEN_HAVE_MOLD)
+if(MIEN_HAVE_MOLD)
   add_link_options(-fuse-ld=mold)
 endif()
+
+# Installed programs and libraries find each other wherever the installation is moved to.
+set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
 
 option(MIEN_WARNINGS_AS_ERRORS "Treat warnings in our own code as errors" OFF)
 set(MIEN_SANITIZE "" CACHE STRING "Sanitizers for the whole build, such as address,undefined or thread")
 if(MIEN_SANITIZE)
-  add_compile_options(-fsanitize=${MIEN_SANITIZE} -fno-omit-frame-pointer)
+  add_compile_options(-fsanitize=${MIEN_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${MIEN_SANITIZE})
 endif()
 

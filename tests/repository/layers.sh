@@ -1,0 +1,24 @@
+#!/bin/sh
+# Checks that every arrow points down: no VTK or Qt in filters/core, no Qt in filters, OpenMesh in acquisition only.
+# usage: layers.sh SOURCE_FOLDER
+cd "${1:?the source folder is missing}" || exit 1
+status=0
+
+# forbid RULE PATTERN FOLDER [grep options]: prints every #include in FOLDER that matches PATTERN.
+forbid() {
+  rule=$1; pattern=$2; folder=$3; shift 3
+  [ -d "$folder" ] || return 0
+  if grep -rnE --include='*.h' --include='*.cxx' "$@" "^ *# *include *[<\"]$pattern" "$folder"; then
+    echo "layers: $rule" >&2
+    status=1
+  fi
+}
+
+forbid "filters/core includes VTK; the mathematics must not know it" 'vtk' filters/core
+forbid "filters/core reads files; parse from strings" '(fstream|cstdio|filesystem)[>"]' filters/core
+forbid "filters include Qt; it belongs into widgets and app" '(Q[A-Z]|Qt|qwt)' filters
+forbid "OpenMesh belongs into filters/acquisition" 'OpenMesh' filters --exclude-dir=acquisition
+forbid "OpenMesh belongs into filters/acquisition" 'OpenMesh' widgets
+forbid "OpenMesh belongs into filters/acquisition" 'OpenMesh' app
+forbid "widgets include a program's headers" '.*app/' widgets
+exit $status
