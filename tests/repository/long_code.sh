@@ -7,7 +7,7 @@ cd "${1:?the source folder is missing}" || exit 1
 found=$(project_files \( -name '*.h' -o -name '*.cxx' \) | sort | tr '\n' '\0' | xargs -0 awk '
   FNR == 1 { start = 0 }
   FNR == 400 { printf "%s: 400 lines or more\n", FILENAME }
-  /^[A-Za-z].*\{$/ && !/^(namespace|class|struct|enum|union|extern|const|constexpr|static const)/ { start = FNR; name = $0 }
+  /^[A-Za-z:~].*\)[^=]*\{$/ && !/ = / { start = FNR; name = $0 }
   /^\}/ && start { if (FNR - start > 40) printf "%s:%d: %d lines: %s\n", FILENAME, start, FNR - start + 1, name; start = 0 }')
 [ -z "$found" ] && exit 0
 echo "$found"
