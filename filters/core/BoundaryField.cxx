@@ -1,5 +1,7 @@
 #include "BoundaryField.h"
 
+#include "RowProduct.h"
+
 namespace mien {
 
 template <class Scalar>
@@ -8,7 +10,8 @@ BoundaryField<Scalar>::BoundaryField(const HarmonicSplit& split, const Eigen::Ve
 
 template <class Scalar>
 void BoundaryField<Scalar>::update(const Eigen::MatrixXd& coefficients) {
-  matrix_.resize(coefficients.cols() / 3 * split_.count(), 3 * synthesis_.rows());
+  const Eigen::Index padded = (3 * synthesis_.rows() + rowProductPadding - 1) / rowProductPadding * rowProductPadding;
+  if (matrix_.cols() != padded) matrix_.setZero(coefficients.cols() / 3 * split_.count(), padded);
   for (int part = 0; part < split_.count(); ++part) fillPart(part, coefficients);
 }
 
@@ -17,8 +20,7 @@ void BoundaryField<Scalar>::fillPart(int part, const Eigen::MatrixXd& coefficien
   const int first = split_.firstCoefficient(part);
   const int count = split_.coefficientCount(part);
   sampled_.resize(synthesis_.rows(), coefficients.cols());
-  sampled_.setZero();
-  if (count > 0) sampled_.noalias() += synthesis_.middleCols(first, count) * coefficients.middleRows(first, count);
+  sampled_.noalias() = synthesis_.middleCols(first, count) * coefficients.middleRows(first, count);
   const Eigen::Index curveCount = coefficients.cols() / 3;
   for (Eigen::Index c = 0; c < curveCount; ++c)
     for (Eigen::Index column = 0; column < sampled_.rows(); ++column)

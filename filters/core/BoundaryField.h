@@ -13,7 +13,7 @@ using RowMajor = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 /// B_j(v): closed curves split into harmonics and sampled at the columns of a grid [S eq. 9-11].
 ///
 /// Row c J + j of the matrix is part j of curve c (J parts); its columns are x, y, z of column 0, then
-/// of column 1, and so on (mm, or mm per radian for the derivative).
+/// of column 1, and so on (mm, or mm per radian for the derivative), padded with zeros for rowProduct().
 template <class Scalar>
 class BoundaryField {
  public:

@@ -1,5 +1,7 @@
 #include "PDESurface.h"
 
+#include "RowProduct.h"
+
 #include <algorithm>
 
 namespace mien {
@@ -64,9 +66,10 @@ void PDESurface<Scalar>::evaluate(const std::vector<Block>& u, const BoundaryFie
     const int begin = std::max(firstRow, block.firstRow);
     const int end = std::min(endRow, block.firstRow + static_cast<int>(block.matrix.rows()));
     if (begin >= end) continue;
-    grid.middleRows(begin - firstRow, end - begin).noalias() =
-        block.matrix.middleRows(begin - block.firstRow, end - begin) *
-        b.matrix().middleRows(block.firstCurve * b.partCount(), block.matrix.cols());
+    const Scalar* u0 = block.matrix.row(begin - block.firstRow).data();
+    const Scalar* b0 = b.matrix().row(block.firstCurve * b.partCount()).data();
+    rowProduct(u0, end - begin, static_cast<int>(block.matrix.cols()), b0, b.matrix().cols(), static_cast<int>(grid.cols()),
+               grid.row(begin - firstRow).data(), grid.cols());
   }
 }
 

@@ -86,8 +86,8 @@ TEST(ModeOperator, GivesExactSolutionsBack) {
       const auto exact = [rate](double u, int d) { return std::pow(-rate, d) * std::exp(-rate * u) + std::pow(rate, d) * std::exp(-rate * (1 - u)); };
       Eigen::VectorXd data(conditions.size());
       for (size_t i = 0; i < conditions.size(); ++i) data[i] = exact(conditions[i].u, conditions[i].derivative);
-      for (double u = 0.0; u <= 1.0; u += 0.01)
-        EXPECT_NEAR(mode.row(u).dot(data), exact(u, 0), 1e-12 * (1.0 + mode.lebesgueConstant())) << name << " rate " << rate;
+      const double tolerance = 1e-12 * (1.0 + mode.lebesgueConstant());
+      for (double u = 0.0; u <= 1.0; u += 0.01) EXPECT_NEAR(mode.row(u).dot(data), exact(u, 0), tolerance) << name << " rate " << rate;
     }
 }
 

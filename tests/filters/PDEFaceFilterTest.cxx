@@ -1,0 +1,231 @@
+#include "vtkPDEFaceFilter.h"
+
+#include "BoundaryCurveData.h"
+#include "ErrorCounter.h"
+#include "RandomCurves.h"
+
+#include "vtkBoundaryCurveReader.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkGeometryFilter.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using mien::FaceCurves;
+
+namespace {
+
+struct Face {
+  vtkNew<vtkPolyData> curves;
+  vtkNew<vtkPDEFaceFilter> filter;
+  ErrorCounter errors{filter};
+
+  explicit Face(const FaceCurves& face = randomFace()) {
+    mien::writeFaceCurves(face, curves);
+    filter->SetInputData(curves);
+  }
+  vtkStructuredGrid* grid() { return filter->GetOutput(); }
+};
+
+/// Tuple of a point array at column i and row j in whole-extent indices.
+std::array<double, 3> at(vtkStructuredGrid* grid, vtkDataArray* array, int i, int j) {
+  int ijk[3] = {i, j, 0};
+  std::array<double, 3> value{};
+  array->GetTuple(vtkStructuredData::ComputePointIdForExtent(grid->GetExtent(), ijk), value.data());
+  return value;
+}
+
+}  // namespace
+
+TEST(PDEFaceFilter, GivesTheDocumentedGrid) {
+  Face face;
+  face.filter->Update();
+  EXPECT_EQ(face.errors.count(), 0);
+  int dimensions[3];
+  face.grid()->GetDimensions(dimensions);
+  EXPECT_EQ(dimensions[0], 41);
+  EXPECT_EQ(dimensions[1], 56);
+  vtkPointData* points = face.grid()->GetPointData();
+  ASSERT_NE(points->GetArray("Normals"), nullptr);
+  ASSERT_NE(points->GetArray("TextureCoordinates"), nullptr);
+  EXPECT_EQ(points->GetArray("Su"), nullptr);
+  ASSERT_NE(face.grid()->GetCellData()->GetArray("PatchId"), nullptr);
+  double range[2];
+  face.grid()->GetCellData()->GetArray("PatchId")->GetRange(range);
+  EXPECT_EQ(range[0], 0);
+  EXPECT_EQ(range[1], 8);
+  vtkDataArray* coordinates = face.grid()->GetPoints()->GetData();
+  for (int j = 0; j < 56; ++j) EXPECT_EQ(at(face.grid(), coordinates, 0, j), at(face.grid(), coordinates, 40, j));
+  EXPECT_EQ(at(face.grid(), points->GetArray("TextureCoordinates"), 40, 55)[0], 1.0);
+  EXPECT_EQ(at(face.grid(), points->GetArray("TextureCoordinates"), 40, 55)[1], 0.0);
+}
+
+TEST(PDEFaceFilter, PiecesWithGhostLevelsEqualTheWhole) {
+  Face whole;
+  whole.filter->SetGenerateDerivatives(true);
+  whole.filter->Update();
+  for (const int pieces : {2, 3, 7})
+    for (const int ghostLevels : {0, 1, 2}) {
+      Face part;
+      part.filter->SetGenerateDerivatives(true);
+      std::vector<int> owned(56 * 41, 0);
+      for (int piece = 0; piece < pieces; ++piece) {
+        part.filter->UpdatePiece(piece, pieces, ghostLevels);
+        int extent[6];
+        part.grid()->GetExtent(extent);
+        EXPECT_LT((extent[1] - extent[0] + 1) * (extent[3] - extent[2] + 1), 56 * 41);
+        for (const char* name : {"", "Normals", "TextureCoordinates", "Su", "Sv"})
+          for (int j = extent[2]; j <= extent[3]; ++j)
+            for (int i = extent[0]; i <= extent[1]; ++i) {
+              const auto array = [&](vtkStructuredGrid* g) { return *name ? g->GetPointData()->GetArray(name) : g->GetPoints()->GetData(); };
+              ASSERT_EQ(at(part.grid(), array(part.grid()), i, j), at(whole.grid(), array(whole.grid()), i, j)) << name << " " << i << " " << j;
+              owned[j * 41 + i]++;
+            }
+      }
+      EXPECT_EQ(std::count(owned.begin(), owned.end(), 0), 0);
+    }
+}
+
+TEST(PDEFaceFilter, PiecesHideTheSameCellsAsTheWhole) {
+  FaceCurves curves = randomFace();
+  curves.features = {{"2.4", 21, M_PI + 0.6}, {"2.5", 21, M_PI - 0.6}};
+  Face whole(curves);
+  whole.filter->Update();
+  const auto hidden = [](vtkStructuredGrid* grid, int i, int j) {
+    int ijk[3] = {i, j, 0};
+    return !grid->IsCellVisible(vtkStructuredData::ComputeCellIdForExtent(grid->GetExtent(), ijk));
+  };
+  int count = 0;
+  for (int i = 0; i < 40; ++i) count += hidden(whole.grid(), i, 42);
+  EXPECT_EQ(count, 8);  // 1.2 radians of 2 pi / 40 each
+  for (const int ghostLevels : {0, 1}) {
+    Face part(curves);
+    for (int piece = 0; piece < 3; ++piece) {
+      part.filter->UpdatePiece(piece, 3, ghostLevels);
+      int extent[6];
+      part.grid()->GetExtent(extent);
+      for (int j = extent[2]; j < extent[3]; ++j)
+        for (int i = extent[0]; i < extent[1]; ++i)
+          EXPECT_EQ(hidden(part.grid(), i, j), hidden(whole.grid(), i, j)) << i << " " << j << " ghosts " << ghostLevels;
+    }
+  }
+}
+
+TEST(PDEFaceFilter, SlitIsHiddenBetweenTheMouthCornersOnly) {
+  FaceCurves curves = randomFace();
+  curves.features = {{"2.4", 21, M_PI + 0.6}, {"2.5", 21, M_PI - 0.6}};
+  Face face(curves);
+  vtkNew<vtkGeometryFilter> geometry;
+  geometry->SetInputConnection(face.filter->GetOutputPort());
+  geometry->Update();
+  EXPECT_EQ(geometry->GetOutput()->GetNumberOfCells(), 55 * 40 - 8);
+}
+
+TEST(PDEFaceFilter, RunsAgainOnlyWhenSomethingChanged) {
+  Face face;
+  int runs = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&runs);
+  counter->SetCallback([](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  face.filter->AddObserver(vtkCommand::EndEvent, counter);
+  face.filter->Update();
+  face.filter->Update();
+  EXPECT_EQ(runs, 1);
+  face.filter->SetSmoothing(1.0);
+  face.filter->SetScheme("four-curve");
+  face.filter->SetResolution(56, 40);
+  face.filter->Update();
+  EXPECT_EQ(runs, 1);
+  face.filter->SetSmoothing(3, 2.0);
+  face.filter->Update();
+  EXPECT_EQ(runs, 2);
+  face.curves->GetPoints()->SetPoint(400, 1, 2, 3);
+  face.curves->GetPoints()->Modified();
+  face.curves->Modified();
+  face.filter->Update();
+  EXPECT_EQ(runs, 3);
+}
+
+TEST(PDEFaceFilter, KeptOperatorsGiveWhatNewOnesGive) {
+  Face kept;
+  kept.filter->Update();
+  const FaceCurves other = randomFace(40, 7);
+  mien::writeFaceCurves(other, kept.curves);
+  kept.filter->SetScheme("derivative");
+  kept.filter->Update();
+  kept.filter->SetScheme("four-curve");
+  kept.filter->Update();
+  Face fresh(other);
+  fresh.filter->Update();
+  for (vtkIdType i = 0; i < fresh.grid()->GetNumberOfPoints(); ++i)
+    for (int c = 0; c < 3; ++c) EXPECT_EQ(kept.grid()->GetPoint(i)[c], fresh.grid()->GetPoint(i)[c]);
+}
+
+TEST(PDEFaceFilter, PrecisionIsThatAskedFor) {
+  Face single, precise;
+  precise.filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  single.filter->Update();
+  precise.filter->Update();
+  EXPECT_EQ(single.grid()->GetPoints()->GetDataType(), VTK_FLOAT);
+  EXPECT_EQ(precise.grid()->GetPoints()->GetDataType(), VTK_DOUBLE);
+  for (vtkIdType i = 0; i < single.grid()->GetNumberOfPoints(); ++i)
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(single.grid()->GetPoint(i)[c], precise.grid()->GetPoint(i)[c], 1e-4);
+}
+
+TEST(PDEFaceFilter, SmoothingOfOnePatchChangesThatPatchOnly) {
+  Face one, other;
+  other.filter->SetSmoothing(4, 3.0);
+  one.filter->Update();
+  other.filter->Update();
+  for (vtkIdType i = 0; i < one.grid()->GetNumberOfPoints(); ++i) {
+    const int row = static_cast<int>(i / 41);
+    if (row > 24 && row < 30 && row % 2) {
+      EXPECT_NE(one.grid()->GetPoint(i)[0], other.grid()->GetPoint(i)[0]);
+    }
+    if (row <= 24 || row >= 30) {
+      EXPECT_EQ(one.grid()->GetPoint(i)[0], other.grid()->GetPoint(i)[0]);
+    }
+  }
+}
+
+TEST(PDEFaceFilter, RefusesWhatItCannotSolveAndLeavesNoOutput) {
+  const auto refused = [](auto change, const char* word) {
+    Face face;
+    change(face);
+    face.filter->Update();
+    EXPECT_GE(face.errors.count(), 1) << word;
+    EXPECT_NE(face.errors.first().find(word), std::string::npos) << face.errors.first();
+    EXPECT_EQ(face.grid()->GetNumberOfPoints(), 0) << word;
+  };
+  refused([](Face& f) { f.filter->SetScheme("none"); }, "four-curve");
+  refused([](Face& f) { f.filter->SetSmoothing(-1.0); }, "0 < a <= 1000");
+  refused([](Face& f) { f.filter->SetNumberOfModes(21); }, "0 .. 20");
+  refused([](Face& f) { f.filter->SetSmoothing(50.0); }, "250");
+  refused([](Face& f) { f.filter->SetResolution(10, 40); }, "11x3");
+  refused([](Face& f) { f.curves->GetPoints()->SetPoint(3, NAN, 0, 0); f.curves->Modified(); }, "not a finite");
+  refused([](Face& f) { f.curves->GetPoints()->SetPoint(3, 0, -500, 0); f.curves->Modified(); }, "C1");
+  refused([](Face& f) { f.curves->Initialize(); }, "no lines");
+}
+
+TEST(PDEFaceFilter, AnAbortedUpdateLeavesNoHalfOutput) {
+  Face face;
+  face.filter->SetResolution(2000, 2000);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  const auto observer = face.filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  face.filter->Update();
+  EXPECT_EQ(face.grid()->GetNumberOfPoints(), 0);
+  face.filter->RemoveObserver(observer);
+  face.filter->SetAbortExecute(0);
+  face.filter->Modified();
+  face.filter->Update();
+  EXPECT_EQ(face.grid()->GetNumberOfPoints(), 2000 * 2001);
+}
