@@ -1,0 +1,13 @@
+#pragma once
+
+#include "TriangleMesh.h"
+
+#include <string>
+
+namespace mien {
+
+/// Reads a scan (.ply, .obj, .stl, .off) through OpenMesh; polygons are triangulated. Lengths are taken as mm.
+/// @return nothing, or one sentence that says what is wrong with the file and what to do
+std::string readScanFile(const std::string& file, TriangleMesh& mesh);
+
+}  // namespace mien

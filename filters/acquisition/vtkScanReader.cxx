@@ -1,0 +1,41 @@
+#include "vtkScanReader.h"
+
+#include "MeshData.h"
+#include "ScanFile.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkScanReader);
+
+vtkScanReader::vtkScanReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkScanReader::~vtkScanReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkScanReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  const std::string name = this->FileName ? this->FileName : "";
+  mien::TriangleMesh mesh;
+  const std::string fault = mien::readScanFile(name, mesh);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< (name.empty() ? "FileName is not set" : name) << ": " << fault);
+    return 0;
+  }
+  mien::writeTriangleMesh(mesh, vtkPolyData::GetData(outputs));
+  return 1;
+}
+
+void vtkScanReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

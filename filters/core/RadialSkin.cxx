@@ -1,0 +1,80 @@
+#include "RadialSkin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mien {
+
+namespace {
+
+constexpr double degree = M_PI / 180.0;
+
+/// Signed area of the origin against the edge a b, twice.
+double side(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// A hair of slack keeps rays from slipping between two triangles along their common edge.
+constexpr double edgeSlack = 1e-12;
+
+/// Distance along the ray where it meets a triangle, NaN when it does not. `across` holds (offset from the ray's
+/// vertical plane, height above the ray) of the corners, `along` their distance along the ray.
+double hit(const std::array<Eigen::Vector2d, 3>& across, const std::array<double, 3>& along) {
+  const std::array<double, 3> w = {side(across[1], across[2]), side(across[2], across[0]), side(across[0], across[1])};
+  const double sum = w[0] + w[1] + w[2];
+  if (sum == 0.0) return std::numeric_limits<double>::quiet_NaN();
+  double distance = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    if (w[i] / sum < -edgeSlack) return std::numeric_limits<double>::quiet_NaN();
+    distance += w[i] / sum * along[i];
+  }
+  return distance;
+}
+
+int binOf(double azimuth) { return static_cast<int>(std::floor(azimuth / degree)); }
+
+}  // namespace
+
+RadialSkin::RadialSkin(const TriangleMesh& mesh, const HeadAxis& axis) : mesh_(mesh), axis_(axis) {
+  for (int t = 0; t < mesh.triangles.rows(); ++t) fileTriangle(t);
+}
+
+void RadialSkin::fileTriangle(int triangle) {
+  const Eigen::Vector3i ids = mesh_.triangles.row(triangle);
+  const double first = axis_.azimuth(mesh_.vertices.row(ids[0]));
+  double low = first, high = first;
+  for (int i = 1; i < 3; ++i) {
+    const double a = first + std::remainder(axis_.azimuth(mesh_.vertices.row(ids[i])) - first, 2.0 * M_PI);
+    low = std::min(low, a);
+    high = std::max(high, a);
+  }
+  const bool surroundsAxis = high - low > M_PI;
+  const int from = surroundsAxis ? 0 : binOf(low), to = surroundsAxis ? binCount - 1 : binOf(high);
+  for (int bin = from; bin <= to; ++bin) bins_[(bin + 2 * binCount) % binCount].push_back(triangle);
+}
+
+double RadialSkin::radius(double azimuth, double y) const {
+  double outermost = std::numeric_limits<double>::quiet_NaN();
+  const double s = std::sin(azimuth), c = std::cos(azimuth);
+  for (const int triangle : bins_[(binOf(std::remainder(azimuth, 2.0 * M_PI)) + binCount) % binCount]) {
+    std::array<Eigen::Vector2d, 3> across;
+    std::array<double, 3> along;
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector3d p = mesh_.vertices.row(mesh_.triangles(triangle, i));
+      across[i] = {(p.x() - axis_.x) * c - (p.z() - axis_.z) * s, p.y() - y};
+      along[i] = (p.x() - axis_.x) * s + (p.z() - axis_.z) * c;
+    }
+    const double r = hit(across, along);
+    if (r > 0.0 && !(r <= outermost)) outermost = r;
+  }
+  return outermost;
+}
+
+std::string describeFault(const TriangleMesh& mesh) {
+  if (mesh.triangles.rows() == 0) return "the mesh has no triangles; a scan of a head's surface is needed";
+  if (!mesh.vertices.allFinite()) return "the mesh has a vertex that is not a finite number";
+  if (mesh.triangles.minCoeff() < 0 || mesh.triangles.maxCoeff() >= mesh.vertices.rows())
+    return "a triangle uses a vertex that the mesh does not have";
+  return {};
+}
+
+}  // namespace mien
