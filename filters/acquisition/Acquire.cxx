@@ -1,10 +1,10 @@
 #include "Acquire.h"
 
+#include "PipelineErrors.h"
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 #include "vtkBoundaryCurveMeanFilter.h"
 #include "vtkScanReader.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -14,34 +14,6 @@ namespace mien
 
 namespace
 {
-
-/// Keeps the first error of a pipeline instead of printing it.
-class ErrorKeeper
-{
-public:
-  ErrorKeeper()
-  {
-    this->Observer->SetClientData(&this->Message);
-    this->Observer->SetCallback([](vtkObject*, unsigned long, void* kept, void* text) {
-      auto& message = *static_cast<std::string*>(kept);
-      if (message.empty())
-        message = text ? static_cast<const char*>(text) : "an error without a word";
-    });
-  }
-  void Watch(vtkObject* object) { object->AddObserver(vtkCommand::ErrorEvent, this->Observer); }
-
-  /// VTK puts the class and its address before the sentence, and blank lines behind.
-  std::string Sentence() const
-  {
-    const std::size_t colon = this->Message.find("): ");
-    const std::string text = colon == std::string::npos ? this->Message : this->Message.substr(colon + 3);
-    return text.substr(0, text.find_last_not_of("\n") + 1);
-  }
-
-private:
-  vtkNew<vtkCallbackCommand> Observer;
-  std::string Message;
-};
 
 std::string describeOptions(const AcquireOptions& options)
 {
@@ -56,27 +28,27 @@ std::string measureScan(const std::string& scan, const AcquireOptions& options, 
 {
   vtkNew<vtkScanReader> reader;
   vtkNew<vtkBoundaryCurveAcquisitionFilter> filter;
-  ErrorKeeper reading, measuring;
-  reading.Watch(reader);
-  measuring.Watch(filter);
+  PipelineErrors errors;
+  errors.observe(reader);
+  errors.observe(filter);
   reader->SetFileName(scan.c_str());
   reader->Update();
-  if (!reading.Sentence().empty())
-    return reading.Sentence();
+  if (!errors.first().empty())
+    return errors.first();
   filter->SetInputData(reader->GetOutput());
   filter->SetLandmarkFileName(options.landmarkFile.c_str());
   filter->SetPointsPerCurve(options.pointsPerCurve);
   filter->Update();
   curves->ShallowCopy(filter->GetOutput());
-  const std::string fault = measuring.Sentence();
+  const std::string fault = errors.first();
   return fault.empty() || fault.rfind(options.landmarkFile + ":", 0) == 0 ? fault : scan + ": " + fault;
 }
 
 std::string writeCurves(vtkPolyData* curves, const std::string& file)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
-  ErrorKeeper writing;
-  writing.Watch(writer);
+  PipelineErrors errors;
+  errors.observe(writer);
   writer->SetFileName(file.c_str());
   writer->SetInputData(curves);
   writer->SetDataModeToBinary();
@@ -101,14 +73,14 @@ std::string acquire(const AcquireOptions& options)
   }
   if (!fault.empty())
     return fault;
-  ErrorKeeper averaging;
-  averaging.Watch(mean);
+  PipelineErrors errors;
+  errors.observe(mean);
   if (options.mean)
   {
     mean->Update();
     curves->ShallowCopy(mean->GetOutput());
   }
-  return averaging.Sentence().empty() ? writeCurves(curves, options.outputFile) : averaging.Sentence();
+  return errors.first().empty() ? writeCurves(curves, options.outputFile) : errors.first();
 }
 
 } // namespace mien

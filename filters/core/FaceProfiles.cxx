@@ -40,7 +40,7 @@ constexpr double foreheadShare = 0.36;               // C1 above the brows, of t
 constexpr double lidGap = 2.0, lidGapAside = 5.0;    // mm between C9 and C10 at the eye corners, and beside the eyes
 constexpr double lipGap = 1.6, lipGapAside = 5.0;    // mm between C21, C22 and C23 at the mouth corners, and beside
 constexpr double asideWidth = 20.0 * degree;         // over which a gap opens
-constexpr double cornerWidth = 3.0 * degree;         // over which the lips' contact line ends at a mouth corner
+constexpr double cornerWidth = 3.0 * degree;         // beyond a mouth corner, over which the skin takes over
 constexpr double blendBegin = 45.0 * degree, blendEnd = 110.0 * degree;
 constexpr double jawInset = 1.0;                     // mm above the jaw landmarks, where a horizontal ray still leaves the face
 
@@ -144,7 +144,7 @@ double FaceProfiles::height(int curve, double azimuth) const {
 double FaceProfiles::lipWeight(double azimuth) const {
   const double a = std::remainder(azimuth, 2.0 * M_PI);
   const double outside = std::max(rightCorner_ - a, a - leftCorner_);
-  return 1.0 - smoothStep(1.0 + outside / cornerWidth);
+  return 1.0 - smoothStep(outside / cornerWidth);
 }
 
 }  // namespace mien
