@@ -1,8 +1,7 @@
 #pragma once
 
 #include "Condition.h"
-
-#include <Eigen/Core>
+#include "SharedDerivatives.h"
 
 #include <string>
 #include <vector>
@@ -23,6 +22,7 @@ struct FaceScheme {
   std::string name;
   std::string description;
   std::vector<Piece> pieces;
+  ChainDerivatives derivatives;  ///< the rule for shared derivatives
   double largestRate;  ///< a (N + 1) past which the surface would be lost to its Lebesgue constant
 
   int order() const { return static_cast<int>(pieces.front().conditions.size()); }

@@ -4,38 +4,63 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <sstream>
 
 namespace mien {
 
 namespace {
 
-/// Rows of the result: for every condition the combination of the 29 curves that it prescribes.
-Eigen::MatrixXd boundaryData(const std::vector<Condition>& conditions, int patch, double strength) {
+/// The shared derivatives of every order at every rate, for all pieces of a face: [part][order - 1].
+using DerivativeTable = std::vector<std::array<Eigen::MatrixXd, 2>>;
+
+bool usesDerivative(const FaceScheme& scheme, int order) {
+  for (const FaceScheme::Piece& piece : scheme.pieces)
+    for (const Condition& condition : piece.conditions)
+      if (condition.derivative == order) return true;
+  return false;
+}
+
+std::shared_ptr<const DerivativeTable> derivativeTable(const FaceScheme& scheme, const FaceSurfaceOptions& options) {
+  auto table = std::make_shared<DerivativeTable>(options.modes + 2);
+  for (int order : {1, 2}) {
+    if (!usesDerivative(scheme, order)) continue;
+    for (int part = 0; part < options.modes + 2; ++part) {
+      auto rates = options.smoothing;
+      for (double& rate : rates) rate *= part;
+      (*table)[part][order - 1] = options.derivativeStrength * sharedDerivatives(scheme.derivatives, order, rates);
+    }
+  }
+  return table;
+}
+
+/// For every condition the combination of the 29 curves that it prescribes.
+Eigen::MatrixXd boundaryData(const std::vector<Condition>& conditions, int patch, const std::array<Eigen::MatrixXd, 2>& derivatives) {
   Eigen::MatrixXd data = Eigen::MatrixXd::Zero(conditions.size(), FaceLayout::curveCount);
   for (size_t i = 0; i < conditions.size(); ++i) {
     const int curve = FaceLayout::firstCurve[patch] + conditions[i].curve;
     if (conditions[i].derivative == 0)
       data(i, curve) = 1.0;
     else
-      data.row(i) = strength * sharedDerivatives(conditions[i].derivative).row(curve);
+      data.row(i) = derivatives[conditions[i].derivative - 1].row(curve);
   }
   return data;
 }
 
-SurfacePiece makePiece(const FaceScheme::Piece& recipe, int patch, const FaceSurfaceOptions& options) {
+SurfacePiece makePiece(const FaceScheme::Piece& recipe, int patch, double smoothing, std::shared_ptr<const DerivativeTable> table) {
   SurfacePiece piece;
   piece.conditions = recipe.conditions;
   for (size_t i = 0; i < piece.conditions.size(); ++i) piece.conditions[i].curve = static_cast<int>(i);
-  piece.smoothing = options.smoothing[patch];
+  piece.smoothing = smoothing;
   piece.begin = recipe.begin;
   piece.end = recipe.end;
-  const Eigen::MatrixXd data = boundaryData(recipe.conditions, patch, options.derivativeStrength);
-  piece.boundaryData = [data](int) { return data; };
+  piece.boundaryData = [conditions = recipe.conditions, patch, table](int part) {
+    return boundaryData(conditions, patch, (*table)[part]);
+  };
   return piece;
 }
 
-/// Rows in (begin, end], and those at begin where no piece before has taken them.
+/// The next rows, as far as the piece's end; a row on a seam has gone to the piece above.
 void dealRows(const RowLayout& layout, int patch, size_t& next, SurfacePiece& piece) {
   const auto& rows = layout.rows();
   piece.firstRow = static_cast<int>(next);
@@ -84,11 +109,13 @@ std::string describeFault(const FaceSurfaceOptions& options, int pointsPerCurve)
 }
 
 std::vector<SurfacePiece> facePieces(const FaceSurfaceOptions& options, const RowLayout& layout) {
+  const FaceScheme& scheme = *findFaceScheme(options.scheme);
+  const auto table = derivativeTable(scheme, options);
   std::vector<SurfacePiece> pieces;
   size_t nextRow = 0;
   for (int patch = 0; patch < FaceLayout::patchCount; ++patch)
-    for (const FaceScheme::Piece& recipe : findFaceScheme(options.scheme)->pieces) {
-      pieces.push_back(makePiece(recipe, patch, options));
+    for (const FaceScheme::Piece& recipe : scheme.pieces) {
+      pieces.push_back(makePiece(recipe, patch, options.smoothing[patch], table));
       dealRows(layout, patch, nextRow, pieces.back());
     }
   return pieces;

@@ -15,9 +15,11 @@ namespace mien {
 template <class Scalar>
 class PDESurface {
  public:
-  /// @param curveCount  curves that every piece's boundaryData combines
-  /// @param v           columns of the grid, radians
-  PDESurface(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split, int curveCount, const Eigen::VectorXd& v);
+  /// @param curveCount   curves that every piece's boundaryData combines
+  /// @param v            columns of the grid, radians
+  /// @param derivatives  highest order of derivatives wanted, with respect to u and to v
+  PDESurface(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split, int curveCount, const Eigen::VectorXd& v,
+             int derivatives = 1);
 
   /// One sentence that says which piece's conditions determine no surface, or nothing.
   const std::string& fault() const { return fault_; }
@@ -30,10 +32,9 @@ class PDESurface {
 
   using Grid = Eigen::Map<RowMajor<Scalar>>;
 
-  /// Rows firstRow .. firstRow + grid.rows() - 1 of S, S_u and S_v. Safe to call from several threads.
-  void position(int firstRow, Grid grid) const { evaluate(u_, b_, firstRow, grid); }
-  void derivativeU(int firstRow, Grid grid) const { evaluate(uDerivative_, b_, firstRow, grid); }
-  void derivativeV(int firstRow, Grid grid) const { evaluate(u_, bDerivative_, firstRow, grid); }
+  /// Rows firstRow .. firstRow + grid.rows() - 1 of a derivative of S; orders 0, 0 are S itself. Safe to call
+  /// from several threads.
+  void evaluate(int orderU, int orderV, int firstRow, Grid grid) const;
 
  private:
   /// The part of U that belongs to one piece, cut to the curves that it uses.
@@ -42,14 +43,13 @@ class PDESurface {
     RowMajor<Scalar> matrix;
   };
 
-  void addBlock(const SurfacePiece& piece, int derivative, std::vector<Block>& blocks);
-  void evaluate(const std::vector<Block>& u, const BoundaryField<Scalar>& b, int firstRow, Grid& grid) const;
+  void addBlock(const SurfacePiece& piece, int derivative);
 
   HarmonicSplit split_;
   int curveCount_, columnCount_, rowCount_ = 0;
   Eigen::MatrixXd analysis_, samples_, coefficients_;
-  BoundaryField<Scalar> b_, bDerivative_;
-  std::vector<Block> u_, uDerivative_;
+  std::vector<BoundaryField<Scalar>> b_;   ///< by order of the derivative
+  std::vector<std::vector<Block>> u_;      ///< by order of the derivative
   std::string fault_;
 };
 

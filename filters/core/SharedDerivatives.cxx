@@ -1,6 +1,8 @@
 #include "SharedDerivatives.h"
 
-#include "FaceLayout.h"
+#include "ModeOperator.h"
+
+#include <Eigen/LU>
 
 #include <algorithm>
 
@@ -8,7 +10,8 @@ namespace mien {
 
 namespace {
 
-constexpr double curvesPerU = FaceLayout::curvesPerPatch - 1.0;
+constexpr int intervalsPerPatch = FaceLayout::curvesPerPatch - 1;
+constexpr double curvesPerU = intervalsPerPatch;
 using FaceLayout::curveCount;
 using FaceLayout::lowerLip;
 using FaceLayout::upperLip;
@@ -34,7 +37,15 @@ Eigen::MatrixXd bends(int n) {
   return difference * curvesPerU * curvesPerU;
 }
 
-Eigen::MatrixXd differences(int order, int n) { return order == 1 ? slopes(n) : bends(n); }
+/// Two rows, for the begin and the end of an interval: S_uu from the values and slopes at both ends
+/// (value, slope at the begin; value, slope at the end).
+Eigen::Matrix<double, 2, 4> endCurvatures(double rate) {
+  const double length = 1.0 / curvesPerU;
+  const ModeOperator mode(rate, {{0.0, 0, 0}, {0.0, 1, 0}, {length, 0, 0}, {length, 1, 0}}, 0.0, length);
+  Eigen::Matrix<double, 2, 4> curvatures;
+  curvatures << mode.row(0.0, 2), mode.row(length, 2);
+  return curvatures;
+}
 
 /// One chain of 28: the mean of both lips at the lip line. Columns: the 29 curves.
 Eigen::MatrixXd closedMouth() {
@@ -53,13 +64,38 @@ Eigen::MatrixXd lipGap() {
 
 }  // namespace
 
-Eigen::MatrixXd sharedDerivatives(int order) {
-  const Eigen::MatrixXd oneChain = differences(order, curveCount - 1) * closedMouth();
+Eigen::MatrixXd differenceDerivatives(int order, const std::vector<double>& rates) {
+  const int n = static_cast<int>(rates.size()) + 1;
+  return order == 1 ? slopes(n) : bends(n);
+}
+
+// Row i: S_uu at the end of interval i - 1 equals S_uu at the begin of interval i.
+Eigen::MatrixXd splineDerivatives(int, const std::vector<double>& rates) {
+  const int n = static_cast<int>(rates.size()) + 1;
+  Eigen::MatrixXd ofSlopes = Eigen::MatrixXd::Zero(n, n), ofValues = Eigen::MatrixXd::Zero(n, n);
+  for (int interval = 0; interval + 1 < n; ++interval) {
+    const Eigen::Matrix<double, 2, 4> curvature = endCurvatures(rates[interval]);
+    for (int side = 0; side < 2; ++side)
+      for (int end = 0; end < 2; ++end) {
+        const double sign = side == 0 ? 1.0 : -1.0;
+        ofValues(interval + side, interval + end) += sign * curvature(side, 2 * end);
+        ofSlopes(interval + side, interval + end) += sign * curvature(side, 2 * end + 1);
+      }
+  }
+  return -ofSlopes.partialPivLu().solve(ofValues);
+}
+
+Eigen::MatrixXd sharedDerivatives(ChainDerivatives rule, int order, const std::array<double, FaceLayout::patchCount>& rates) {
+  std::vector<double> ofIntervals;
+  for (const double rate : rates) ofIntervals.insert(ofIntervals.end(), intervalsPerPatch, rate);
+  const std::vector<double> above(ofIntervals.begin(), ofIntervals.begin() + upperLip);
+  const std::vector<double> below(ofIntervals.begin() + upperLip, ofIntervals.end());
+  const Eigen::MatrixXd oneChain = rule(order, ofIntervals) * closedMouth();
+  const Eigen::MatrixXd gap = lipGap();
   Eigen::MatrixXd result(curveCount, curveCount);
   result << oneChain.topRows(lowerLip), oneChain.bottomRows(curveCount - lowerLip);
-  const Eigen::MatrixXd gap = lipGap();
-  result.topRows(lowerLip) += differences(order, lowerLip) * gap.topRows(lowerLip);
-  result.bottomRows(curveCount - lowerLip) += differences(order, curveCount - lowerLip) * gap.bottomRows(curveCount - lowerLip);
+  result.topRows(lowerLip) += rule(order, above) * gap.topRows(lowerLip);
+  result.bottomRows(curveCount - lowerLip) += rule(order, below) * gap.bottomRows(curveCount - lowerLip);
   return result;
 }
 

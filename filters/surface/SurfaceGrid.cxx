@@ -185,9 +185,9 @@ private:
     const Grid su = arrays.su ? grid(arrays.su) : Grid(scratch.data(), rows, 3 * columns);
     const Grid sv = arrays.sv ? grid(arrays.sv) : Grid(scratch.data() + rows * 3 * columns, rows, 3 * columns);
     const int row = this->Layout.extent[2] + static_cast<int>(first);
-    this->Surface.position(row, grid(arrays.points));
-    this->Surface.derivativeU(row, su);
-    this->Surface.derivativeV(row, sv);
+    this->Surface.evaluate(0, 0, row, grid(arrays.points));
+    this->Surface.evaluate(1, 0, row, su);
+    this->Surface.evaluate(0, 1, row, sv);
     surfaceNormals<Scalar>(su, sv, grid(arrays.normals));
   }
 

@@ -46,9 +46,9 @@ void coreSurface(benchmark::State& state, const std::string& scheme) {
     for (int row = 0; row < rows; row += block) {
       const int n = std::min(block, rows - row);
       const Grid u(su.data(), n, su.cols()), w(sv.data(), n, sv.cols());
-      surface.position(row, Grid(points.row(row).data(), n, points.cols()));
-      surface.derivativeU(row, u);
-      surface.derivativeV(row, w);
+      surface.evaluate(0, 0, row, Grid(points.row(row).data(), n, points.cols()));
+      surface.evaluate(1, 0, row, u);
+      surface.evaluate(0, 1, row, w);
       surfaceNormals<float>(u, w, Grid(normals.row(row).data(), n, normals.cols()));
     }
     benchmark::ClobberMemory();

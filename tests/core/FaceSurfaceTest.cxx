@@ -95,7 +95,7 @@ TEST(SharedDerivatives, AreExactForPolynomialsAndTheClosedMouthIsOneChain) {
     quadratic[c] = 2.0 + u + 0.5 * u * u;
     slope[c] = 1.0 + u;
   }
-  const Eigen::VectorXd first = sharedDerivatives(1) * quadratic, second = sharedDerivatives(2) * quadratic;
+  const Eigen::VectorXd first = sharedDerivatives(differenceDerivatives, 1, {}) * quadratic, second = sharedDerivatives(differenceDerivatives, 2, {}) * quadratic;
   for (int c = 1; c + 1 < FaceLayout::curveCount; ++c) EXPECT_NEAR(first[c], slope[c], 1e-12);
   for (int c = 0; c < FaceLayout::curveCount; ++c) EXPECT_NEAR(second[c], 1.0, 1e-11);
   EXPECT_EQ(first[FaceLayout::upperLip], first[FaceLayout::lowerLip]);
@@ -105,7 +105,7 @@ TEST(SharedDerivatives, LipsPartOneSidedly) {
   Eigen::VectorXd gap = Eigen::VectorXd::Zero(FaceLayout::curveCount);
   gap[FaceLayout::upperLip] = -1.0;
   gap[FaceLayout::lowerLip] = 1.0;
-  const Eigen::VectorXd slope = sharedDerivatives(1) * gap;
+  const Eigen::VectorXd slope = sharedDerivatives(differenceDerivatives, 1, {}) * gap;
   EXPECT_NEAR(slope[FaceLayout::upperLip], -3.0, 1e-12);
   EXPECT_NEAR(slope[FaceLayout::lowerLip], -3.0, 1e-12);
   EXPECT_NEAR(slope[FaceLayout::upperLip - 1], -1.5, 1e-12);

@@ -15,7 +15,7 @@ namespace {
 constexpr double third = 1.0 / 3.0;
 
 std::vector<Condition> values() {
-  return {{0.0, 0, 0}, {third, 0, 1}, {2.0 * third, 0, 2}, {1.0, 0, 3}};
+  return {{0.0, 0, 0}, {third, 0, 1}, {2.0 / 3.0, 0, 2}, {1.0, 0, 3}};
 }
 
 std::vector<Condition> ends(const std::vector<int>& derivatives) {

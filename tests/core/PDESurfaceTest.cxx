@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 using namespace mien;
 
@@ -22,23 +23,15 @@ PDESurface<double> makeFace(const FaceSurfaceOptions& options, int rows, int poi
   return PDESurface<double>(facePieces(options, RowLayout(rows, false)), split, FaceLayout::curveCount, v);
 }
 
-RowMajor<double> positions(const PDESurface<double>& surface) {
+RowMajor<double> evaluate(const PDESurface<double>& surface, int orderU, int orderV) {
   RowMajor<double> grid(surface.rowCount(), 3 * surface.columnCount());
-  surface.position(0, {grid.data(), grid.rows(), grid.cols()});
+  surface.evaluate(orderU, orderV, 0, {grid.data(), grid.rows(), grid.cols()});
   return grid;
 }
 
-RowMajor<double> derivativesU(const PDESurface<double>& surface) {
-  RowMajor<double> grid(surface.rowCount(), 3 * surface.columnCount());
-  surface.derivativeU(0, {grid.data(), grid.rows(), grid.cols()});
-  return grid;
-}
-
-RowMajor<double> derivativesV(const PDESurface<double>& surface) {
-  RowMajor<double> grid(surface.rowCount(), 3 * surface.columnCount());
-  surface.derivativeV(0, {grid.data(), grid.rows(), grid.cols()});
-  return grid;
-}
+RowMajor<double> positions(const PDESurface<double>& surface) { return evaluate(surface, 0, 0); }
+RowMajor<double> derivativesU(const PDESurface<double>& surface) { return evaluate(surface, 1, 0); }
+RowMajor<double> derivativesV(const PDESurface<double>& surface) { return evaluate(surface, 0, 1); }
 
 /// The row of a 27 k + 2 grid that lies on a curve.
 int rowOfCurve(int curve, int rows) {
@@ -83,7 +76,7 @@ TEST(PDESurface, WithoutTheRemainderCurvesAreMissed) {
 
 TEST(PDESurface, DerivativeFaceMeetsItsEndsAndItsSlopesUpToTheLargestSmoothing) {
   const FaceCurves face = randomFace();
-  const Eigen::MatrixXd slope = sharedDerivatives(1);
+  const Eigen::MatrixXd slope = sharedDerivatives(differenceDerivatives, 1, {});
   for (const double a : {0.01, 1.0, 30.0, 1000.0}) {
     FaceSurfaceOptions options;
     options.scheme = "derivative";
@@ -174,4 +167,89 @@ TEST(PDESurface, IsLinearAndMovesWithItsCurves) {
   RowMajor<double> expected = 2.0 * evaluate(a.curves) - evaluate(b.curves);
   for (int i = 0; i < 40; ++i) expected.middleCols<3>(3 * i).rowwise() += Eigen::RowVector3d(10, -20, 30);
   EXPECT_LE((evaluate(sum) - expected).cwiseAbs().maxCoeff(), 1e-11);
+}
+
+namespace {
+
+/// The pieces of a face with the two ends of each as the only rows, so that seams are seen from both sides.
+PDESurface<double> makeEnds(const FaceSurfaceOptions& options, const Eigen::VectorXd& v) {
+  std::vector<SurfacePiece> pieces = facePieces(options, RowLayout(29, false));
+  for (size_t i = 0; i < pieces.size(); ++i) {
+    pieces[i].u = {pieces[i].begin, pieces[i].end};
+    pieces[i].firstRow = static_cast<int>(2 * i);
+  }
+  return PDESurface<double>(pieces, HarmonicSplit(40, options.modes, options.remainder), FaceLayout::curveCount, v, 2);
+}
+
+/// Largest difference across all borders between pieces, relative to the largest value.
+double largestJump(const PDESurface<double>& surface, int orderU, int orderV) {
+  const RowMajor<double> grid = evaluate(surface, orderU, orderV);
+  double jump = 0.0;
+  for (int row = 1; row + 1 < grid.rows(); row += 2) jump = std::max(jump, (grid.row(row) - grid.row(row + 1)).cwiseAbs().maxCoeff());
+  return jump / grid.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+// The lips coincide in these curves, so the seam of the closed mouth is one of the borders.
+TEST(PDESurface, SmoothSchemesMeetEveryCurveAndHaveSmoothSeams) {
+  const FaceCurves face = randomFace();
+  for (const std::string scheme : {"tangent", "curvature", "spline"})
+    for (const int modes : {0, 5, 20}) {
+      FaceSurfaceOptions options;
+      options.scheme = scheme;
+      options.modes = modes;
+      PDESurface<double> surface = makeFace(options, 29, 40, columns(40));
+      surface.setCurves(face.curves);
+      const RowMajor<double> grid = positions(surface);
+      for (int c = 0; c < FaceLayout::curveCount; ++c)
+        EXPECT_LE(largestMiss(grid, rowOfCurve(c, 29), face.curves, c), 1e-10 * sizeOf(face.curves)) << scheme << " N " << modes;
+      PDESurface<double> ends = makeEnds(options, columns(400));
+      ends.setCurves(face.curves);
+      EXPECT_LE(largestJump(ends, 0, 0), 1e-10) << scheme;
+      EXPECT_LE(largestJump(ends, 1, 0), 1e-10) << scheme;
+      if (scheme != "tangent") {
+        EXPECT_LE(largestJump(ends, 2, 0), 1e-7) << scheme;
+      }
+    }
+}
+
+TEST(PDESurface, SeamsAreAsSmoothAsTheSchemeSaysAndNoSmoother) {
+  const FaceCurves face = randomFace();
+  const std::map<std::string, int> continuity = {{"four-curve", 0}, {"derivative", 1}, {"sixth-order", 2}, {"tangent", 1}, {"curvature", 2}, {"spline", 2}};
+  for (const FaceScheme& scheme : faceSchemes()) {
+    FaceSurfaceOptions options;
+    options.scheme = scheme.name;
+    PDESurface<double> ends = makeEnds(options, columns(400));
+    ends.setCurves(face.curves);
+    for (int order = 0; order <= 2; ++order) {
+      const double jump = largestJump(ends, order, 0);
+      if (order <= continuity.at(scheme.name)) {
+        EXPECT_LE(jump, 1e-9) << scheme.name << " order " << order;
+      } else {
+        EXPECT_GE(jump, 1e-3) << scheme.name << " order " << order;
+      }
+    }
+  }
+}
+
+TEST(PDESurface, SplineStaysInsideItsCurvesAtEveryRate) {
+  const FaceCurves face = randomFace();
+  const Eigen::RowVector3d low = face.curves.points.colwise().minCoeff(), high = face.curves.points.colwise().maxCoeff();
+  const Eigen::RowVector3d middle = 0.5 * (low + high), half = 0.5 * (high - low);
+  for (const double a : {0.01, 0.1, 1.0, 10.0, 100.0, 1000.0})
+    for (const int modes : {0, 5, 20}) {
+      FaceSurfaceOptions options;
+      options.scheme = "spline";
+      options.modes = modes;
+      options.smoothing.fill(a);
+      PDESurface<double> surface = makeFace(options, 27 * 6 + 2, 40, columns(40));
+      surface.setCurves(face.curves);
+      const RowMajor<double> grid = positions(surface);
+      double outside = 0.0;
+      for (int row = 0; row < grid.rows(); ++row)
+        for (int i = 0; i < 40; ++i)
+          outside = std::max(outside, ((grid.block<1, 3>(row, 3 * i) - middle).cwiseAbs().cwiseQuotient(half)).maxCoeff());
+      EXPECT_LE(outside, 1.03) << "a " << a << " N " << modes;
+    }
 }
