@@ -17,10 +17,10 @@ struct Expression {
 /// The facial animation parameters of one moment (ISO/IEC 14496-2): a missing FAP is 0.
 class FAPFrame {
  public:
-  static constexpr int count = 68;      ///< FAP numbers run from 1 to 68
+  static constexpr int count = 68;  ///< FAP numbers run from 1 to 68
   static constexpr int firstLowLevel = 3;
 
-  double value(int fap) const { return values_[fap - 1]; }     ///< in FAP units; fap in 1 .. 68
+  double value(int fap) const { return values_[fap - 1]; }  ///< in FAP units; fap in 1 .. 68
   void setValue(int fap, double v) { values_[fap - 1] = v; }
 
   Viseme viseme;          ///< FAP 1; value(1) is not used

@@ -53,7 +53,8 @@ FAPFrame mixture(const FAPFrame& before, const FAPFrame& after, double weight) {
 }  // namespace
 
 FAPMask FAPSequence::mask(std::size_t index) const {
-  return index < masks.size() ? masks[index] : maskOfValues(frames[index]);
+  const FAPMask written = index < masks.size() ? masks[index] : FAPMask();
+  return written | maskOfValues(frames[index]);
 }
 
 std::vector<int> FAPSequence::fapsUsed() const {

@@ -27,10 +27,10 @@ struct FAPSequence {
   double framesPerSecond = 25.0;
   std::optional<std::int64_t> declaredFrameCount;  ///< what the header says; the frames themselves are what counts
   std::vector<FAPFrame> frames;
-  std::vector<FAPMask> masks;  ///< one per frame, or none: then a frame sets the FAPs that are not 0
+  std::vector<FAPMask> masks;  ///< as written, one per frame, or none for frames of other origin
   std::vector<FAPWarning> warnings;
 
-  FAPMask mask(std::size_t index) const;  ///< what the frame at this index sets
+  FAPMask mask(std::size_t index) const;  ///< what this frame sets: by its mask, or by not being 0
   std::vector<int> fapsUsed() const;      ///< the FAPs that at least one frame sets, ascending
 
   double timeOfFrame(std::size_t index) const { return index / framesPerSecond; }  ///< s

@@ -72,11 +72,11 @@ TEST(FAPSequence, FindsAFrameByTheNumberWritten) {
   EXPECT_FALSE(sequence.indexOfNumber(0.0).has_value());
 }
 
-TEST(FAPSequence, UsedFAPsComeFromTheMasksElseFromTheValues) {
+TEST(FAPSequence, UsedFAPsComeFromTheMasksAndTheValues) {
   FAPSequence sequence = ramp(2, 10.0);
   sequence.frames[1].viseme.select1 = 3;
   EXPECT_EQ(sequence.fapsUsed(), (std::vector<int>{1, 53}));
   sequence.masks.resize(2);
   sequence.masks[0].set(18);
-  EXPECT_EQ(sequence.fapsUsed(), (std::vector<int>{19}));
+  EXPECT_EQ(sequence.fapsUsed(), (std::vector<int>{1, 19, 53}));
 }

@@ -1,0 +1,100 @@
+/**
+ * @class vtkFAPReader
+ * @brief reads an MPEG-4 facial animation (.fap) and gives its frames over time
+ *
+ * Output: vtkTable with one row; double columns `frame`, `FAP1_viseme_select1` .. `FAP2_expression_def` and
+ * `FAP3` .. `FAP68` (FAP units) as described in FAPTableData.h. The reader publishes TIME_STEPS (s; frame i, from 0, is at
+ * i / frames per second) and TIME_RANGE, and answers UPDATE_TIME_STEP; the output carries DATA_TIME_STEP. Without a
+ * time request it gives the first frame.
+ * The format, and what is accepted with a warning, is described in FAPParser.h.
+ * Errors: `FILE:LINE: what is wrong`. What was loaded before a refused file stays, with all that the getters say.
+ * @sa vtkFAPAnimationFilter
+ */
+#ifndef vtkFAPReader_h
+#define vtkFAPReader_h
+
+#include "MienAnimationModule.h"
+#include "vtkTableAlgorithm.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mien
+{
+struct FAPSequence;
+}
+
+class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm
+{
+public:
+  static vtkFAPReader* New();
+  vtkTypeMacro(vtkFAPReader, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The .fap file. It is read again when it has changed on disk and the reader is updated after Modified(). Default: none. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** The frame to give whatever time is asked for, from 0; -1: the frame of the time. Default: -1. */
+  vtkSetMacro(FrameIndex, int);
+  vtkGetMacro(FrameIndex, int);
+  ///@}
+
+  ///@{
+  /** Whether times between two frames give their linear mixture instead of the frame before. Default: off. */
+  vtkSetMacro(Interpolate, bool);
+  vtkGetMacro(Interpolate, bool);
+  vtkBooleanMacro(Interpolate, bool);
+  ///@}
+
+  /** Whether a file is a .fap file without a fault: 1 or 0, in silence. */
+  static int CanReadFile(const char* fileName);
+
+  ///@{
+  /** What the file loaded last says; call UpdateInformation() first. */
+  int GetNumberOfFrames() const;
+  double GetFramesPerSecond() const;
+  std::string GetName() const;
+  std::string GetVersion() const;           ///< "2.0" or "2.1"; empty when the file has no header
+  std::vector<std::string> GetWarnings() const; ///< each `FILE:LINE: what`, in the order of the lines
+  std::vector<int> GetFAPsUsed() const;     ///< numbers of the FAPs that a frame sets, ascending
+  int GetIndexOfFrameNumber(double number) const; ///< of the first frame with this number in the file, from 0; -1: none
+  const mien::FAPSequence& GetSequence() const;
+  ///@}
+
+protected:
+  vtkFAPReader();
+  ~vtkFAPReader() override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkFAPReader(const vtkFAPReader&) = delete;
+  void operator=(const vtkFAPReader&) = delete;
+
+  /** Reads the file unless it is the one loaded. Returns nothing, or `FILE:LINE: what is wrong`. */
+  std::string Load();
+
+  char* FileName = nullptr;
+  int FrameIndex = -1;
+  bool Interpolate = false;
+
+  std::unique_ptr<mien::FAPSequence> Sequence;
+  struct FileState
+  {
+    std::string Name;
+    long long Modified = 0;
+    unsigned long long Size = 0;
+    bool operator==(const FileState& other) const
+    {
+      return Name == other.Name && Modified == other.Modified && Size == other.Size;
+    }
+  };
+  FileState Loaded;
+};
+
+#endif

@@ -1,0 +1,118 @@
+#include "FAPFrameParser.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "NumberText.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double largestViseme = 14.0, largestExpression = 6.0, largestWeight = 63.0;
+constexpr std::size_t visemeValues = 4, expressionValues = 6;
+
+/// A selection that does not exist selects nothing. @return whether it had to be changed
+bool limitSelection(double& value, double largest) {
+  const bool exists = value >= 0.0 && value <= largest && value == std::floor(value);
+  if (!exists) value = 0.0;
+  return !exists;
+}
+
+bool limitWeight(double& value, double largest) {
+  const double limited = std::clamp(value, 0.0, largest);
+  const bool changed = limited != value;
+  value = limited;
+  return changed;
+}
+
+bool limitFlag(double& value) {
+  const bool exists = value == 0.0 || value == 1.0;
+  if (!exists) value = 1.0;
+  return !exists;
+}
+
+bool limit(Viseme& v) {
+  const bool selections = limitSelection(v.select1, largestViseme) | limitSelection(v.select2, largestViseme);
+  return selections | limitWeight(v.blend, largestWeight) | limitFlag(v.definition);
+}
+
+bool limit(Expression& e) {
+  const bool selections = limitSelection(e.select1, largestExpression) | limitSelection(e.select2, largestExpression);
+  const bool weights = limitWeight(e.intensity1, largestWeight) | limitWeight(e.intensity2, largestWeight);
+  return selections | weights | limitFlag(e.initialFace) | limitFlag(e.definition);
+}
+
+std::string countFault(std::size_t found, std::size_t expected) {
+  return "there are " + std::to_string(found) + " numbers; the mask before asks for " + std::to_string(expected) +
+         ", the frame number included";
+}
+
+}  // namespace
+
+void FAPFrameParser::warnOnce(Quirk quirk, int line, const char* message, FAPSequence& sequence) {
+  if (!warned_[quirk]) sequence.warnings.push_back({line, message});
+  warned_.set(quirk);
+}
+
+std::string FAPFrameParser::readMask(const std::vector<std::string_view>& entries, int line, FAPSequence& sequence) {
+  if (entries.size() != FAPFrame::count && entries.size() != longMask)
+    return "the mask has " + std::to_string(entries.size()) + " entries; it must have 68, one for each FAP";
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (entries[i] != "0" && entries[i] != "1")
+      return "mask entry " + std::to_string(i + 1) + " is " + quoted(entries[i]) + "; it must be 0 or 1";
+  mask_.reset();
+  for (std::size_t i = 0; i < entries.size(); ++i) mask_[i] = entries[i] == "1";
+  if (entries.size() == longMask)
+    warnOnce(LongMask, line, "the mask has 69 entries; the last and its values are left out", sequence);
+  return {};
+}
+
+std::string FAPFrameParser::parseNumbers(const std::vector<std::string_view>& entries) {
+  numbers_.clear();
+  next_ = 0;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const std::optional<double> number = parseNumber(entries[i]);
+    if (!number) return "entry " + std::to_string(i + 1) + " is " + quoted(entries[i]) + "; it must be a finite number";
+    numbers_.push_back(*number);
+  }
+  return {};
+}
+
+std::string FAPFrameParser::readValues(const std::vector<std::string_view>& entries, int line, FAPSequence& sequence) {
+  const std::size_t single = 1 + mask_.count();
+  const std::size_t full = single + mask_[0] * (visemeValues - 1) + mask_[1] * (expressionValues - 1);
+  if (entries.size() != full && entries.size() != single) return countFault(entries.size(), full);
+  const std::string fault = parseNumbers(entries);
+  if (!fault.empty()) return fault;
+  FAPFrame frame;
+  frame.number = take();
+  if (readHighLevel(entries.size() != full, frame))
+    warnOnce(OutOfRange, line, "FAP 1 or 2 has a selection, weight or flag out of its range; it was limited", sequence);
+  for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
+    if (mask_[fap - 1]) frame.setValue(fap, take());
+  if (entries.size() != full)
+    warnOnce(SingleValues, line, "FAP 1 and 2 have one value each; it is taken as a selection at full weight",
+             sequence);
+  sequence.frames.push_back(frame);
+  sequence.masks.emplace_back(mask_.to_string().substr(longMask - FAPFrame::count));
+  return {};
+}
+
+/// @return whether something was out of range
+bool FAPFrameParser::readHighLevel(bool singleValues, FAPFrame& frame) {
+  Viseme& v = frame.viseme;
+  Expression& e = frame.expression;
+  if (mask_[0]) v.select1 = take();
+  if (mask_[0] && singleValues) v.blend = v.select1 == 0.0 ? 0.0 : largestWeight;
+  if (mask_[0] && !singleValues)
+    for (double* value : {&v.select2, &v.blend, &v.definition}) *value = take();
+  if (mask_[1]) e.select1 = take();
+  if (mask_[1] && singleValues) e.intensity1 = e.select1 == 0.0 ? 0.0 : largestWeight;
+  if (mask_[1] && !singleValues)
+    for (double* value : {&e.intensity1, &e.select2, &e.intensity2, &e.initialFace, &e.definition}) *value = take();
+  const bool visemeLimited = limit(v);
+  return limit(e) || visemeLimited;
+}
+
+}  // namespace mien

@@ -1,0 +1,62 @@
+#include "NumberText.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace mien {
+
+namespace {
+
+constexpr std::string_view blanks = " \t\v\f";
+constexpr std::size_t longestQuotation = 40;
+
+std::string_view withoutPlus(std::string_view text) {
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  return plus ? text.substr(1) : text;
+}
+
+}  // namespace
+
+std::optional<double> parseNumber(std::string_view text) {
+  text = withoutPlus(text);
+  double number = 0.0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  return number;
+}
+
+std::optional<std::int64_t> parseWholeNumber(std::string_view text) {
+  using Limits = std::numeric_limits<std::int64_t>;
+  text = withoutPlus(text);
+  std::int64_t number = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (fault == std::errc::invalid_argument || end != text.data() + text.size()) return std::nullopt;
+  if (fault == std::errc::result_out_of_range) return text[0] == '-' ? Limits::min() : Limits::max();
+  return number;
+}
+
+void appendNumber(std::string& text, double number) {
+  char digits[32];  // the shortest form of a double has at most 24 characters
+  const auto result = std::to_chars(digits, digits + sizeof digits, number);
+  text.append(digits, result.ptr);
+}
+
+void splitAtBlanks(std::string_view line, std::vector<std::string_view>& parts) {
+  parts.clear();
+  for (std::size_t begin = line.find_first_not_of(blanks); begin != line.npos;) {
+    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
+    parts.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(blanks, end);
+  }
+}
+
+std::string quoted(std::string_view text) {
+  std::string shown(text.substr(0, longestQuotation));
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  std::replace_if(shown.begin(), shown.end(), isControl, '?');
+  return "'" + shown + (text.size() > longestQuotation ? "...'" : "'");
+}
+
+}  // namespace mien

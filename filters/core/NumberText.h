@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien {
+
+/// A finite decimal number that fills the whole text, with a dot whatever the locale; a leading + is allowed.
+std::optional<double> parseNumber(std::string_view text);
+
+/// A whole number that fills the whole text; one too large to hold becomes the largest (smallest) there is.
+std::optional<std::int64_t> parseWholeNumber(std::string_view text);
+
+/// Appends the shortest text that parseNumber turns back into exactly this finite number.
+void appendNumber(std::string& text, double number);
+
+/// The parts of a line between blanks and tabs, in `parts`, whose memory is used again.
+void splitAtBlanks(std::string_view line, std::vector<std::string_view>& parts);
+
+/// Text from a file as it can stand in a message: in single quotes, shortened, control characters replaced by '?'.
+std::string quoted(std::string_view text);
+
+}  // namespace mien
