@@ -60,7 +60,7 @@ std::string FAPFrameParser::readMask(const std::vector<std::string_view>& entrie
     return "the mask has " + std::to_string(entries.size()) + " entries; it must have 68, one for each FAP";
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (entries[i] != "0" && entries[i] != "1")
-      return "mask entry " + std::to_string(i + 1) + " is " + quoted(entries[i]) + "; it must be 0 or 1";
+      return "mask entry " + std::to_string(i + 1) + " is " + inQuotes(entries[i]) + "; it must be 0 or 1";
   mask_.reset();
   for (std::size_t i = 0; i < entries.size(); ++i) mask_[i] = entries[i] == "1";
   if (entries.size() == longMask)
@@ -73,7 +73,8 @@ std::string FAPFrameParser::parseNumbers(const std::vector<std::string_view>& en
   next_ = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::optional<double> number = parseNumber(entries[i]);
-    if (!number) return "entry " + std::to_string(i + 1) + " is " + quoted(entries[i]) + "; it must be a finite number";
+    if (!number)
+      return "entry " + std::to_string(i + 1) + " is " + inQuotes(entries[i]) + "; it must be a finite number";
     numbers_.push_back(*number);
   }
   return {};

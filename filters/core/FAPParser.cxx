@@ -45,13 +45,13 @@ bool looksLikeAMask(const std::vector<std::string_view>& entries) {
 Fault readVersion(std::string_view entry) {
   const std::optional<double> version = parseNumber(entry);
   if (version == 2.0 || version == 2.1) return {};
-  return "version " + quoted(entry) + " is not a face animation this reads; the header begins with 2.0 or 2.1";
+  return "version " + inQuotes(entry) + " is not a face animation this reads; the header begins with 2.0 or 2.1";
 }
 
 Fault readRate(std::string_view entry, double& rate) {
   const std::optional<double> number = parseNumber(entry);
   if (!number || *number < slowestFAPRate || *number > fastestFAPRate)
-    return "the frames per second are " + quoted(entry) + "; give a number from 0.001 to 100000";
+    return "the frames per second are " + inQuotes(entry) + "; give a number from 0.001 to 100000";
   rate = *number;
   return {};
 }
@@ -131,7 +131,7 @@ Fault Parser::readHeader() {
   if (fault.empty()) fault = readRate(entries_[entries_.size() - 2], sequence.framesPerSecond);
   sequence.declaredFrameCount = parseWholeNumber(count);
   if (fault.empty() && !sequence.declaredFrameCount)
-    fault = "the frame count is " + quoted(count) + "; give a whole number";
+    fault = "the frame count is " + inQuotes(count) + "; give a whole number";
   sequence.version = entries_.front();
   sequence.name = nameBetween(entries_);
   return fault;

@@ -52,7 +52,7 @@ void splitAtBlanks(std::string_view line, std::vector<std::string_view>& parts) 
   }
 }
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
   std::string shown(text.substr(0, longestQuotation));
   const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   std::replace_if(shown.begin(), shown.end(), isControl, '?');

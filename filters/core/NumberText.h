@@ -21,6 +21,6 @@ void appendNumber(std::string& text, double number);
 void splitAtBlanks(std::string_view line, std::vector<std::string_view>& parts);
 
 /// Text from a file as it can stand in a message: in single quotes, shortened, control characters replaced by '?'.
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 }  // namespace mien
