@@ -15,7 +15,7 @@ namespace mien {
 struct FaceSurfaceOptions {
   static constexpr double largestSmoothing = 1000.0;
 
-  std::string scheme = "four-curve";
+  std::string scheme = "spline";
   std::array<double, FaceLayout::patchCount> smoothing = {1, 1, 1, 1, 1, 1, 1, 1, 1};  ///< a of each patch
   int modes = 5;                    ///< N
   bool remainder = true;

@@ -31,7 +31,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** How a patch meets its curves: "four-curve" (default), "derivative"; GetSchemeNames() lists them. */
+  /** How patches meet their curves: "spline" (default), "four-curve" (the paper's), "derivative", "sixth-order",
+   *  "tangent", "curvature"; GetSchemeNames() lists them. */
   void SetScheme(const std::string& name);
   std::string GetScheme() const;
   static std::vector<std::string> GetSchemeNames();

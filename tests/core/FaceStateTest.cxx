@@ -92,7 +92,7 @@ TEST(FaceState, ValuesOutOfRangeAreNamed) {
       {[](FaceState& s) { s.surface.scheme = "soap"; }, "four-curve"},
       {[](FaceState& s) { s.surface.smoothing[3] = 0; }, "a = 0"},
       {[](FaceState& s) { s.surface.modes = 21; }, "0 .. 20"},
-      {[](FaceState& s) { s.surface.smoothing.fill(50); }, "250"},
+      {[](FaceState& s) { s.surface.scheme = "four-curve"; s.surface.smoothing.fill(50); }, "250"},
       {[](FaceState& s) { s.rows = 10; }, "at least 11x3"},
       {[](FaceState& s) { s.columns = 2; }, "at least 11x3"},
       {[](FaceState& s) { s.rows = s.columns = 2000000000; }, "too fine"},

@@ -23,6 +23,7 @@ TEST(FaceSurfaceOptions, FaultsSayWhatIsAllowed) {
 
 TEST(FaceSurfaceOptions, FourCurveBeyondItsLimitIsRefusedAndTheLimitNamed) {
   FaceSurfaceOptions options;
+  options.scheme = "four-curve";
   options.smoothing.fill(41.0);
   EXPECT_EQ(describeFault(options, 40), "");
   options.smoothing.fill(42.0);

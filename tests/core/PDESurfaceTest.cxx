@@ -52,6 +52,7 @@ TEST(PDESurface, FourCurveFaceMeetsEveryCurveAtEverySampleForEveryNumberOfModes)
   const FaceCurves face = randomFace();
   for (int modes = 0; modes <= 20; ++modes) {
     FaceSurfaceOptions options;
+    options.scheme = "four-curve";
     options.modes = modes;
     PDESurface<double> surface = makeFace(options, 29, 40, columns(40));
     surface.setCurves(face.curves);
