@@ -58,8 +58,6 @@ mien::SurfaceGridLayout faceLayout(const mien::RowLayout& rows, int columns, con
 
 struct vtkPDEFaceFilter::Internals
 {
-  mien::FaceSurfaceOptions options;
-
   /// The operators of the last update and what they were made for.
   std::unique_ptr<mien::SurfaceGrid> grid;
   mien::FaceSurfaceOptions gridOptions;
@@ -67,15 +65,17 @@ struct vtkPDEFaceFilter::Internals
   int gridPointsPerCurve = 0;
   bool gridDoublePrecision = false;
 
-  bool isFor(const mien::SurfaceGridLayout& layout, int pointsPerCurve, bool doublePrecision) const
+  bool isFor(const mien::FaceSurfaceOptions& options, const mien::SurfaceGridLayout& layout, int pointsPerCurve,
+    bool doublePrecision) const
   {
     return grid && gridOptions == options && gridLayout == layout && gridPointsPerCurve == pointsPerCurve &&
       gridDoublePrecision == doublePrecision;
   }
 
-  void prepare(const mien::RowLayout& rows, const mien::SurfaceGridLayout& layout, int pointsPerCurve, bool doublePrecision)
+  void prepare(const mien::FaceSurfaceOptions& options, const mien::RowLayout& rows,
+    const mien::SurfaceGridLayout& layout, int pointsPerCurve, bool doublePrecision)
   {
-    if (isFor(layout, pointsPerCurve, doublePrecision))
+    if (isFor(options, layout, pointsPerCurve, doublePrecision))
       return;
     const mien::HarmonicSplit split(pointsPerCurve, options.modes, options.remainder);
     grid = mien::SurfaceGrid::make(
@@ -94,50 +94,9 @@ vtkPDEFaceFilter::vtkPDEFaceFilter()
 
 vtkPDEFaceFilter::~vtkPDEFaceFilter() = default;
 
-void vtkPDEFaceFilter::SetScheme(const std::string& name)
+vtkStructuredGrid* vtkPDEFaceFilter::GetOutput()
 {
-  if (this->Impl->options.scheme == name)
-    return;
-  this->Impl->options.scheme = name;
-  this->Modified();
-}
-
-std::string vtkPDEFaceFilter::GetScheme() const
-{
-  return this->Impl->options.scheme;
-}
-
-std::vector<std::string> vtkPDEFaceFilter::GetSchemeNames()
-{
-  std::vector<std::string> names;
-  for (const mien::FaceScheme& scheme : mien::faceSchemes())
-    names.push_back(scheme.name);
-  return names;
-}
-
-void vtkPDEFaceFilter::SetSmoothing(double a)
-{
-  for (int patch = 0; patch < mien::FaceLayout::patchCount; ++patch)
-    this->SetSmoothing(patch, a);
-}
-
-void vtkPDEFaceFilter::SetSmoothing(int patch, double a)
-{
-  if (patch < 0 || patch >= mien::FaceLayout::patchCount)
-  {
-    vtkErrorMacro(<< "there is no patch " << patch << "; patches are 0 .. " << mien::FaceLayout::patchCount - 1);
-    return;
-  }
-  if (this->Impl->options.smoothing[patch] == a)
-    return;
-  this->Impl->options.smoothing[patch] = a;
-  this->Modified();
-}
-
-double vtkPDEFaceFilter::GetSmoothing(int patch) const
-{
-  const bool exists = patch >= 0 && patch < mien::FaceLayout::patchCount;
-  return exists ? this->Impl->options.smoothing[patch] : 0.0;
+  return vtkStructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
 }
 
 void vtkPDEFaceFilter::SetResolution(int rows, int columns)
@@ -149,9 +108,9 @@ void vtkPDEFaceFilter::SetResolution(int rows, int columns)
   this->Modified();
 }
 
-int vtkPDEFaceFilter::FillInputPortInformation(int, vtkInformation* info)
+int vtkPDEFaceFilter::FillOutputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkStructuredGrid");
   return 1;
 }
 
@@ -170,37 +129,18 @@ int vtkPDEFaceFilter::RequestInformation(vtkInformation*, vtkInformationVector**
   return 1;
 }
 
-// Whatever part of the surface is wanted, it takes whole curves.
-int vtkPDEFaceFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
-{
-  vtkInformation* info = inputs[0]->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  return 1;
-}
-
 int vtkPDEFaceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   mien::FaceCurves face;
-  std::string fault = mien::readFaceCurves(vtkPolyData::GetData(inputs[0]), face);
-  this->Impl->options.modes = this->NumberOfModes;
-  this->Impl->options.remainder = this->Remainder;
-  this->Impl->options.derivativeStrength = this->DerivativeStrength;
-  if (fault.empty())
-    fault = mien::describeFault(this->Impl->options, face.curves.pointsPerCurve);
-  if (!fault.empty())
-  {
-    vtkErrorMacro(<< fault);
+  if (!this->ReadInput(inputs, face))
     return 0;
-  }
   const mien::RowLayout rows(this->NumberOfRows, this->UniformRows);
   mien::SurfaceGridLayout layout = faceLayout(rows, this->NumberOfColumns, face);
   outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), layout.extent);
   vtkStructuredGrid* output = vtkStructuredGrid::GetData(outputs);
   if (layout.extent[1] < layout.extent[0] || layout.extent[3] < layout.extent[2])
     return 1;
-  this->Impl->prepare(rows, layout, face.curves.pointsPerCurve, this->OutputPointsPrecision == DOUBLE_PRECISION);
+  this->Impl->prepare(this->GetOptions(), rows, layout, face.curves.pointsPerCurve, this->OutputPointsPrecision == DOUBLE_PRECISION);
   this->Impl->grid->execute(face.curves, this->GenerateDerivatives, this, output);
   return 1;
 }
@@ -208,16 +148,9 @@ int vtkPDEFaceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
 void vtkPDEFaceFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Scheme: " << this->GetScheme() << "\n";
-  os << indent << "Smoothing:";
-  for (const double a : this->Impl->options.smoothing)
-    os << " " << a;
-  os << "\n" << indent << "NumberOfModes: " << this->NumberOfModes << "\n";
-  os << indent << "Remainder: " << this->Remainder << "\n";
   os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
   os << indent << "NumberOfColumns: " << this->NumberOfColumns << "\n";
   os << indent << "UniformRows: " << this->UniformRows << "\n";
-  os << indent << "DerivativeStrength: " << this->DerivativeStrength << "\n";
   os << indent << "GenerateDerivatives: " << this->GenerateDerivatives << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

@@ -11,52 +11,25 @@
  *
  * Equation: (d2/du2 + a^2 d2/dv2)^m S = 0 per patch, Fourier modes 0 .. N and one remainder
  * [Sheng et al. 2011, eq. 1-11]. Honours update extents and pieces; runs through vtkSMPTools.
- * Errors: curves that are no face, options out of range, a(N + 1) past what the scheme bears.
+ * Errors: those of vtkPDEFaceAlgorithm, and a resolution that is too coarse.
  */
 #ifndef vtkPDEFaceFilter_h
 #define vtkPDEFaceFilter_h
 
 #include "MienSurfaceModule.h"
-#include "vtkStructuredGridAlgorithm.h"
+#include "vtkPDEFaceAlgorithm.h"
 
-#include <memory>
-#include <string>
-#include <vector>
+class vtkStructuredGrid;
 
-class MIENSURFACE_EXPORT vtkPDEFaceFilter : public vtkStructuredGridAlgorithm
+class MIENSURFACE_EXPORT vtkPDEFaceFilter : public vtkPDEFaceAlgorithm
 {
 public:
   static vtkPDEFaceFilter* New();
-  vtkTypeMacro(vtkPDEFaceFilter, vtkStructuredGridAlgorithm);
+  vtkTypeMacro(vtkPDEFaceFilter, vtkPDEFaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
-  /** How patches meet their curves: "spline" (default), "four-curve" (the paper's), "derivative", "sixth-order",
-   *  "tangent", "curvature"; GetSchemeNames() lists them. */
-  void SetScheme(const std::string& name);
-  std::string GetScheme() const;
-  static std::vector<std::string> GetSchemeNames();
-  ///@}
-
-  ///@{
-  /** The smoothing parameter a, for all patches or for one (0 .. 8). No unit; default 1, 0 < a <= 1000. */
-  void SetSmoothing(double a);
-  void SetSmoothing(int patch, double a);
-  double GetSmoothing(int patch) const;
-  ///@}
-
-  ///@{
-  /** N: how many Fourier modes are solved exactly. Default 5; 0 .. K / 2. */
-  vtkSetMacro(NumberOfModes, int);
-  vtkGetMacro(NumberOfModes, int);
-  ///@}
-
-  ///@{
-  /** Whether all harmonics above N follow as one remainder, so that curves are met. Default on. */
-  vtkSetMacro(Remainder, bool);
-  vtkGetMacro(Remainder, bool);
-  vtkBooleanMacro(Remainder, bool);
-  ///@}
+  /// The surface.
+  vtkStructuredGrid* GetOutput();
 
   ///@{
   /** Rows (u, both lip rows counted) and columns (v, without the closing one). Default 56 x 40; rows 11 ..,
@@ -75,12 +48,6 @@ public:
   ///@}
 
   ///@{
-  /** Factor on the derivative conditions of schemes that have them [S 3.3]. Default 1; any finite number. */
-  vtkSetMacro(DerivativeStrength, double);
-  vtkGetMacro(DerivativeStrength, double);
-  ///@}
-
-  ///@{
   /** Whether `Su` and `Sv` are added. Default off. */
   vtkSetMacro(GenerateDerivatives, bool);
   vtkGetMacro(GenerateDerivatives, bool);
@@ -96,9 +63,8 @@ public:
 protected:
   vtkPDEFaceFilter();
   ~vtkPDEFaceFilter() override;
-  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -107,12 +73,9 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
-  int NumberOfModes = 5;
-  bool Remainder = true;
   int NumberOfRows = 56;
   int NumberOfColumns = 40;
   bool UniformRows = false;
-  double DerivativeStrength = 1.0;
   bool GenerateDerivatives = false;
   int OutputPointsPrecision = SINGLE_PRECISION;
 };
