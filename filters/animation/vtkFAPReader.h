@@ -3,9 +3,9 @@
  * @brief reads an MPEG-4 facial animation (.fap) and gives its frames over time
  *
  * Output: vtkTable with one row; double columns `frame`, `FAP1_viseme_select1` .. `FAP2_expression_def` and
- * `FAP3` .. `FAP68` (FAP units) as described in FAPTableData.h. The reader publishes TIME_STEPS (s; frame i, from 0, is at
- * i / frames per second) and TIME_RANGE, and answers UPDATE_TIME_STEP; the output carries DATA_TIME_STEP. Without a
- * time request it gives the first frame.
+ * `FAP3` .. `FAP68` (FAP units) as described in FAPTableData.h. The reader publishes TIME_STEPS (s; frame i, from 0,
+ * is at i / frames per second) and TIME_RANGE, and answers UPDATE_TIME_STEP; the information of the output carries
+ * DATA_TIME_STEP, the time of the frame given. Without a time request it gives the first frame.
  * The format, and what is accepted with a warning, is described in FAPParser.h.
  * Errors: `FILE:LINE: what is wrong`. What was loaded before a refused file stays, with all that the getters say.
  * @sa vtkFAPAnimationFilter
@@ -33,7 +33,10 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The .fap file. It is read again when it has changed on disk and the reader is updated after Modified(). Default: none. */
+  /**
+   * The .fap file. It is read again when it has changed on disk and the reader is updated after Modified().
+   * Default: none.
+   */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}

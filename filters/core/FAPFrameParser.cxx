@@ -12,35 +12,33 @@ namespace {
 constexpr double largestViseme = 14.0, largestExpression = 6.0, largestWeight = 63.0;
 constexpr std::size_t visemeValues = 4, expressionValues = 6;
 
-/// A selection that does not exist selects nothing. @return whether it had to be changed
-bool limitSelection(double& value, double largest) {
-  const bool exists = value >= 0.0 && value <= largest && value == std::floor(value);
-  if (!exists) value = 0.0;
-  return !exists;
-}
+/// Brings the fields of FAP 1 and 2 into their ranges and remembers whether one had to be changed.
+class Limiter {
+ public:
+  void selection(double& value, double largest) {
+    const bool exists = value >= 0.0 && value <= largest && value == std::floor(value);
+    set(value, exists ? value : 0.0);  // what does not exist selects nothing
+  }
+  void weight(double& value) { set(value, std::clamp(value, 0.0, largestWeight)); }
+  void flag(double& value) { set(value, value == 0.0 ? 0.0 : 1.0); }
 
-bool limitWeight(double& value, double largest) {
-  const double limited = std::clamp(value, 0.0, largest);
-  const bool changed = limited != value;
-  value = limited;
-  return changed;
-}
+  bool changed = false;
 
-bool limitFlag(double& value) {
-  const bool exists = value == 0.0 || value == 1.0;
-  if (!exists) value = 1.0;
-  return !exists;
-}
+ private:
+  void set(double& value, double limited) {
+    changed = changed || value != limited;
+    value = limited;
+  }
+};
 
-bool limit(Viseme& v) {
-  const bool selections = limitSelection(v.select1, largestViseme) | limitSelection(v.select2, largestViseme);
-  return selections | limitWeight(v.blend, largestWeight) | limitFlag(v.definition);
-}
-
-bool limit(Expression& e) {
-  const bool selections = limitSelection(e.select1, largestExpression) | limitSelection(e.select2, largestExpression);
-  const bool weights = limitWeight(e.intensity1, largestWeight) | limitWeight(e.intensity2, largestWeight);
-  return selections | weights | limitFlag(e.initialFace) | limitFlag(e.definition);
+/// @return whether something was out of range
+bool limit(Viseme& v, Expression& e) {
+  Limiter limiter;
+  for (double* selection : {&v.select1, &v.select2}) limiter.selection(*selection, largestViseme);
+  for (double* selection : {&e.select1, &e.select2}) limiter.selection(*selection, largestExpression);
+  for (double* weight : {&v.blend, &e.intensity1, &e.intensity2}) limiter.weight(*weight);
+  for (double* flag : {&v.definition, &e.initialFace, &e.definition}) limiter.flag(*flag);
+  return limiter.changed;
 }
 
 std::string countFault(std::size_t found, std::size_t expected) {
@@ -112,8 +110,7 @@ bool FAPFrameParser::readHighLevel(bool singleValues, FAPFrame& frame) {
   if (mask_[1] && singleValues) e.intensity1 = e.select1 == 0.0 ? 0.0 : largestWeight;
   if (mask_[1] && !singleValues)
     for (double* value : {&e.intensity1, &e.select2, &e.intensity2, &e.initialFace, &e.definition}) *value = take();
-  const bool visemeLimited = limit(v);
-  return limit(e) || visemeLimited;
+  return limit(v, e);
 }
 
 }  // namespace mien

@@ -23,7 +23,8 @@ class LineCutter {
   explicit LineCutter(std::string_view text) : rest_(text) {}
   bool next(std::string_view& line) {
     if (rest_.empty()) return false;
-    const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
+    const auto isEnd = [](char c) { return c == '\r' || c == '\n'; };
+    const std::size_t end = std::find_if(rest_.begin(), rest_.end(), isEnd) - rest_.begin();
     line = rest_.substr(0, end);
     const std::size_t ending = rest_.substr(end, 2) == "\r\n" ? 2 : 1;
     rest_.remove_prefix(std::min(end + ending, rest_.size()));

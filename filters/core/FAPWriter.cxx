@@ -11,14 +11,16 @@ namespace mien {
 
 namespace {
 
+constexpr std::size_t longestWrittenName = 1024;  // bytes; keeps the header far below the longest line read
 constexpr std::size_t bytesPerMaskLine = 2 * FAPFrame::count;
 
 std::string writtenName(std::string name) {
   const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   std::replace_if(name.begin(), name.end(), isControl, ' ');
-  const std::size_t begin = name.find_first_not_of(' ');
-  if (begin == name.npos) return "untitled";
-  return name.substr(begin, name.find_last_not_of(' ') + 1 - begin);
+  name.erase(0, std::min(name.find_first_not_of(' '), name.size()));
+  name.resize(std::min(name.size(), longestWrittenName));
+  name.resize(name.find_last_not_of(' ') + 1);
+  return name.empty() ? "untitled" : name;
 }
 
 void appendMask(const FAPMask& mask, std::string& text) {

@@ -90,7 +90,10 @@ TEST(FAPWriter, MasksOfTheFileAreKeptAndNonZeroValuesAreNeverLost) {
 }
 
 TEST(FAPWriter, NamesCannotBreakTheHeader) {
-  for (const char* name : {"", "  ", "a\nb\r\tc", "# no comment", "25 1", "\x01"}) {
+  const std::string long1(longestFAPLine, 'x'), long2 = std::string(1023, 'x') + " y";
+  for (const std::string& name :
+       {std::string(), std::string("  "), std::string("a\nb\r\tc"), std::string("# no comment"), std::string("25 1"),
+        std::string("\x01"), long1, long2}) {
     FAPSequence sequence = randomSequence(1);
     sequence.name = name;
     std::string text;
