@@ -1,11 +1,11 @@
 #include "FAPTableData.h"
 
+#include <cmath>
+
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
-
-#include <cmath>
 
 namespace mien {
 
@@ -13,8 +13,7 @@ namespace {
 
 /// Calls visit(column name, value) for every column, in the order of the table; Frame is FAPFrame or const FAPFrame.
 template <typename Frame, typename Visitor>
-void visitHighLevelColumns(Frame& frame, Visitor&& visit)
-{
+void visitHighLevelColumns(Frame& frame, Visitor&& visit) {
   visit("frame", frame.number);
   visit("FAP1_viseme_select1", frame.viseme.select1);
   visit("FAP1_viseme_select2", frame.viseme.select2);
@@ -28,63 +27,53 @@ void visitHighLevelColumns(Frame& frame, Visitor&& visit)
   visit("FAP2_expression_def", frame.expression.definition);
 }
 
-std::string columnName(int fap)
-{
+std::string columnName(int fap) {
   return "FAP" + std::to_string(fap);
 }
 
-std::string readValue(vtkTable* table, const std::string& name, vtkIdType row, double& value)
-{
+std::string readValue(vtkTable* table, const std::string& name, vtkIdType row, double& value) {
   vtkAbstractArray* column = table->GetColumnByName(name.c_str());
   value = 0.0;
-  if (!column)
-    return {};
+  if (!column) return {};
   vtkDataArray* numbers = vtkDataArray::SafeDownCast(column);
   if (!numbers || numbers->GetNumberOfComponents() != 1)
     return "column " + name + " does not hold single numbers; give a numeric column";
   value = numbers->GetTuple1(row);
-  if (!std::isfinite(value))
-    return "column " + name + ", row " + std::to_string(row) + " is not finite; give a number";
+  if (!std::isfinite(value)) return "column " + name + ", row " + std::to_string(row) + " is not finite; give a number";
   return {};
 }
 
-void appendColumn(vtkTable* table, const std::string& name, double value)
-{
+void appendColumn(vtkTable* table, const std::string& name, double value) {
   vtkNew<vtkDoubleArray> column;
   column->SetName(name.c_str());
   column->InsertNextValue(value);
   table->AddColumn(column);
 }
 
-} // namespace
+}  // namespace
 
-std::string readFAPFrame(vtkTable* table, vtkIdType row, FAPFrame& frame)
-{
+std::string readFAPFrame(vtkTable* table, vtkIdType row, FAPFrame& frame) {
   if (!table || row < 0 || row >= table->GetNumberOfRows())
     return "the FAP table has no row " + std::to_string(row) + "; a FAP frame is one row";
   FAPFrame read;
   std::string fault;
   visitHighLevelColumns(read, [&](const char* name, double& value) {
-    if (fault.empty())
-      fault = readValue(table, name, row, value);
+    if (fault.empty()) fault = readValue(table, name, row, value);
   });
-  for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count && fault.empty(); ++fap)
-  {
+  for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count && fault.empty(); ++fap) {
     double value = 0.0;
     fault = readValue(table, columnName(fap), row, value);
     read.setValue(fap, value);
   }
-  if (fault.empty())
-    frame = read;
+  if (fault.empty()) frame = read;
   return fault;
 }
 
-void writeFAPFrame(const FAPFrame& frame, vtkTable* table)
-{
+void writeFAPFrame(const FAPFrame& frame, vtkTable* table) {
   table->Initialize();
   visitHighLevelColumns(frame, [table](const char* name, double value) { appendColumn(table, name, value); });
   for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
     appendColumn(table, columnName(fap), frame.value(fap));
 }
 
-} // namespace mien
+}  // namespace mien

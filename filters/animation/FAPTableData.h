@@ -1,12 +1,10 @@
 #pragma once
 
-#include "MienAnimationModule.h"
+#include <string>
 
 #include "FAPFrame.h"
-
+#include "MienAnimationModule.h"
 #include "vtkType.h"
-
-#include <string>
 
 class vtkTable;
 
@@ -29,4 +27,4 @@ MIENANIMATION_EXPORT std::string readFAPFrame(vtkTable* table, vtkIdType row, FA
 /// Makes the table hold this frame alone, with all the columns named above.
 MIENANIMATION_EXPORT void writeFAPFrame(const FAPFrame& frame, vtkTable* table);
 
-} // namespace mien
+}  // namespace mien

@@ -1,37 +1,30 @@
 #include "vtkFAPReader.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <vtksys/FStream.hxx>
+
 #include "FAPParser.h"
 #include "FAPTableData.h"
-
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
-#include <vtksys/FStream.hxx>
-
-#include <algorithm>
-#include <filesystem>
-#include <system_error>
-
 vtkStandardNewMacro(vtkFAPReader);
 
-namespace
-{
+namespace {
 
 /// Reads a file whole, or as far as is needed to tell that it is too large. Returns nothing, or what is wrong.
-std::string readText(const std::string& name, std::string& text)
-{
+std::string readText(const std::string& name, std::string& text) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(name, ignored))
-    return "this is a folder; give a .fap file";
+  if (std::filesystem::is_directory(name, ignored)) return "this is a folder; give a .fap file";
   vtksys::ifstream file(name.c_str(), std::ios::binary);
-  if (!file)
-    return "it cannot be opened; give a .fap file that exists and may be read";
-  std::vector<char> block(std::size_t{ 1 } << 16);
-  while (file && text.size() <= mien::largestFAPText)
-  {
+  if (!file) return "it cannot be opened; give a .fap file that exists and may be read";
+  std::vector<char> block(std::size_t{1} << 16);
+  while (file && text.size() <= mien::largestFAPText) {
     file.read(block.data(), static_cast<std::streamsize>(block.size()));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
   }
@@ -39,77 +32,62 @@ std::string readText(const std::string& name, std::string& text)
 }
 
 /// Returns nothing, or `FILE:LINE: what is wrong` (`FILE: what` for a file that cannot be read at all).
-std::string readSequence(const std::string& name, mien::FAPSequence& sequence)
-{
-  if (name.empty())
-    return "there is no file name; set one with SetFileName";
+std::string readSequence(const std::string& name, mien::FAPSequence& sequence) {
+  if (name.empty()) return "there is no file name; set one with SetFileName";
   std::string text;
   const std::string fault = readText(name, text);
-  if (!fault.empty())
-    return name + ": " + fault;
+  if (!fault.empty()) return name + ": " + fault;
   const std::optional<mien::FAPParseError> error = mien::parseFAP(text, sequence);
   return error ? name + ":" + std::to_string(error->line) + ": " + error->message : "";
 }
 
-} // namespace
+}  // namespace
 
-vtkFAPReader::vtkFAPReader()
-  : Sequence(std::make_unique<mien::FAPSequence>())
-{
+vtkFAPReader::vtkFAPReader() : Sequence(std::make_unique<mien::FAPSequence>()) {
   this->SetNumberOfInputPorts(0);
 }
 
-vtkFAPReader::~vtkFAPReader()
-{
+vtkFAPReader::~vtkFAPReader() {
   this->SetFileName(nullptr);
 }
 
-int vtkFAPReader::CanReadFile(const char* fileName)
-{
+int vtkFAPReader::CanReadFile(const char* fileName) {
   mien::FAPSequence sequence;
   return fileName && readSequence(fileName, sequence).empty() ? 1 : 0;
 }
 
-std::string vtkFAPReader::Load()
-{
+std::string vtkFAPReader::Load() {
   FileState state;
   state.Name = this->FileName ? this->FileName : "";
   std::error_code ignored;
   state.Modified = std::filesystem::last_write_time(state.Name, ignored).time_since_epoch().count();
   state.Size = std::filesystem::file_size(state.Name, ignored);
-  if (!this->Sequence->frames.empty() && state == this->Loaded)
-    return {};
+  if (!this->Sequence->frames.empty() && state == this->Loaded) return {};
   const std::string fault = readSequence(state.Name, *this->Sequence);
-  if (fault.empty())
-    this->Loaded = state;
+  if (fault.empty()) this->Loaded = state;
   return fault;
 }
 
-int vtkFAPReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
-{
+int vtkFAPReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
   const std::string fault = this->Load();
-  if (!fault.empty())
-  {
+  if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
   std::vector<double> times(this->Sequence->frames.size());
-  for (std::size_t index = 0; index < times.size(); ++index)
-    times[index] = this->Sequence->timeOfFrame(index);
-  const double range[2] = { times.front(), times.back() };
+  for (std::size_t index = 0; index < times.size(); ++index) times[index] = this->Sequence->timeOfFrame(index);
+  const double range[2] = {times.front(), times.back()};
   vtkInformation* information = outputs->GetInformationObject(0);
   information->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
   information->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
   return 1;
 }
 
-int vtkFAPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
-{
+int vtkFAPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
   const mien::FAPSequence& sequence = *this->Sequence;
-  if (this->FrameIndex < -1 || this->FrameIndex >= this->GetNumberOfFrames())
-  {
-    vtkErrorMacro(<< this->Loaded.Name << ": there is no frame with index " << this->FrameIndex
-                  << "; give 0 to " << this->GetNumberOfFrames() - 1 << ", or -1 for the frame of the time");
+  if (this->FrameIndex < -1 || this->FrameIndex >= this->GetNumberOfFrames()) {
+    vtkErrorMacro(<< this->Loaded.Name << ": there is no frame with index " << this->FrameIndex << "; give 0 to "
+                  << this->GetNumberOfFrames() - 1 << ", or -1 for the frame of the time");
     return 0;
   }
   vtkInformation* information = outputs->GetInformationObject(0);
@@ -121,58 +99,49 @@ int vtkFAPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
     time = information->Get(timeKey);
   vtkTable* table = vtkTable::GetData(outputs);
   mien::writeFAPFrame(sequence.frameAtTime(time, this->Interpolate), table);
-  const double shown = this->Interpolate ? std::clamp(time, 0.0, sequence.duration())
-                                         : sequence.timeOfFrame(sequence.indexAtTime(time));
+  const double shown =
+      this->Interpolate ? std::clamp(time, 0.0, sequence.duration()) : sequence.timeOfFrame(sequence.indexAtTime(time));
   table->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), shown);
   return 1;
 }
 
-int vtkFAPReader::GetNumberOfFrames() const
-{
+int vtkFAPReader::GetNumberOfFrames() const {
   return static_cast<int>(this->Sequence->frames.size());
 }
 
-double vtkFAPReader::GetFramesPerSecond() const
-{
+double vtkFAPReader::GetFramesPerSecond() const {
   return this->Sequence->framesPerSecond;
 }
 
-std::string vtkFAPReader::GetName() const
-{
+std::string vtkFAPReader::GetName() const {
   return this->Sequence->name;
 }
 
-std::string vtkFAPReader::GetVersion() const
-{
+std::string vtkFAPReader::GetVersion() const {
   return this->Sequence->version;
 }
 
-std::vector<std::string> vtkFAPReader::GetWarnings() const
-{
+std::vector<std::string> vtkFAPReader::GetWarnings() const {
   std::vector<std::string> warnings;
   for (const mien::FAPWarning& warning : this->Sequence->warnings)
     warnings.push_back(this->Loaded.Name + ":" + std::to_string(warning.line) + ": " + warning.message);
   return warnings;
 }
 
-std::vector<int> vtkFAPReader::GetFAPsUsed() const
-{
+std::vector<int> vtkFAPReader::GetFAPsUsed() const {
   return this->Sequence->fapsUsed();
 }
 
-int vtkFAPReader::GetIndexOfFrameNumber(double number) const
-{
+int vtkFAPReader::GetIndexOfFrameNumber(double number) const {
   const std::optional<std::size_t> index = this->Sequence->indexOfNumber(number);
   return index ? static_cast<int>(*index) : -1;
 }
 
-const mien::FAPSequence& vtkFAPReader::GetSequence() const
-{
+const mien::FAPSequence& vtkFAPReader::GetSequence() const {
   return *this->Sequence;
 }
 
-void vtkFAPReader::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkFAPReader::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "FrameIndex: " << this->FrameIndex << "\n";

@@ -13,21 +13,19 @@
 #ifndef vtkFAPReader_h
 #define vtkFAPReader_h
 
-#include "MienAnimationModule.h"
-#include "vtkTableAlgorithm.h"
-
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace mien
-{
+#include "MienAnimationModule.h"
+#include "vtkTableAlgorithm.h"
+
+namespace mien {
 struct FAPSequence;
 }
 
-class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm
-{
-public:
+class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
+ public:
   static vtkFAPReader* New();
   vtkTypeMacro(vtkFAPReader, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -62,20 +60,21 @@ public:
   int GetNumberOfFrames() const;
   double GetFramesPerSecond() const;
   std::string GetName() const;
-  std::string GetVersion() const;           ///< "2.0" or "2.1"; empty when the file has no header
-  std::vector<std::string> GetWarnings() const; ///< each `FILE:LINE: what`, in the order of the lines
-  std::vector<int> GetFAPsUsed() const;     ///< numbers of the FAPs that a frame sets, ascending
-  int GetIndexOfFrameNumber(double number) const; ///< of the first frame with this number in the file, from 0; -1: none
+  std::string GetVersion() const;                ///< "2.0" or "2.1"; empty when the file has no header
+  std::vector<std::string> GetWarnings() const;  ///< each `FILE:LINE: what`, in the order of the lines
+  std::vector<int> GetFAPsUsed() const;          ///< numbers of the FAPs that a frame sets, ascending
+  int GetIndexOfFrameNumber(
+      double number) const;  ///< of the first frame with this number in the file, from 0; -1: none
   const mien::FAPSequence& GetSequence() const;
   ///@}
 
-protected:
+ protected:
   vtkFAPReader();
   ~vtkFAPReader() override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-private:
+ private:
   vtkFAPReader(const vtkFAPReader&) = delete;
   void operator=(const vtkFAPReader&) = delete;
 
@@ -87,13 +86,11 @@ private:
   bool Interpolate = false;
 
   std::unique_ptr<mien::FAPSequence> Sequence;
-  struct FileState
-  {
+  struct FileState {
     std::string Name;
     long long Modified = 0;
     unsigned long long Size = 0;
-    bool operator==(const FileState& other) const
-    {
+    bool operator==(const FileState& other) const {
       return Name == other.Name && Modified == other.Modified && Size == other.Size;
     }
   };

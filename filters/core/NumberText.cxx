@@ -12,7 +12,9 @@ namespace {
 constexpr std::size_t longestQuotation = 40;
 
 // A plain comparison per character: find_first_of calls memchr for each, which took most of the time of reading a file.
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool isBlank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
 
 std::string_view withoutPlus(std::string_view text) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
