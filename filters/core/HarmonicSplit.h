@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 namespace mien {
 
@@ -24,7 +25,7 @@ class HarmonicSplit {
   double rate(int part, double smoothing) const { return smoothing * part; }
 
   /// First of the Fourier coefficients of part j, and how many there are (0 for the remainder at N = K / 2).
-  int firstCoefficient(int part) const { return part == 0 ? 0 : 2 * part - 1; }
+  int firstCoefficient(int part) const { return part == 0 ? 0 : std::min(2 * part - 1, pointsPerCurve_); }
   int coefficientCount(int part) const;
 
   /// K x K: Fourier coefficients = analysis() * samples.
