@@ -3,6 +3,7 @@
 # A function starts at a line in column one that ends with `{` and ends at the next `}` in column one.
 # usage: long_code.sh SOURCE_FOLDER
 cd "${1:?the source folder is missing}" || exit 1
+# shellcheck source=tests/repository/sources.sh
 . ./tests/repository/sources.sh
 found=$(project_files \( -name '*.h' -o -name '*.cxx' \) | sort | tr '\n' '\0' | xargs -0 awk '
   FNR == 1 { start = 0 }
