@@ -1,0 +1,29 @@
+#pragma once
+
+#include "MienAnimationModule.h"
+
+#include "AnimationTable.h"
+#include "ClosedCurves.h"
+#include "ExpressionLibrary.h"
+
+#include <string>
+#include <vector>
+
+#include "vtkType.h"
+
+class vtkPolyData;
+
+namespace mien {
+
+/// Reads an animation table from a file, or the one compiled in when the name is empty.
+/// @return nothing, or one sentence that names the file, the entry and what is wrong
+MIENANIMATION_EXPORT std::string readAnimationTable(const std::string& fileName, AnimationTable& table);
+
+/// The expressions compiled in.
+MIENANIMATION_EXPORT const ExpressionLibrary& defaultExpressions();
+
+/// Writes curves that moved as a copy of the data they were read from (readFaceCurves), with all its arrays and
+/// the point array `Displacement` (mm).
+void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* input, vtkPolyData* output);
+
+} // namespace mien

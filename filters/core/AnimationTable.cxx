@@ -1,0 +1,207 @@
+#include "AnimationTable.h"
+
+#include "FAPTable.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace mien {
+
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::invalid_argument(what);
+}
+
+int parseCurve(const Json& json) {
+  const std::string name = json.get<std::string>();
+  const int index = FaceLayout::curveIndex(name);
+  if (index < 0) refuse("curve \"" + name + "\" is unknown; curves are C1 .. C22, C22', C23 .. C28");
+  return index;
+}
+
+double parseNumber(const Json& json, const std::string& what) {
+  if (!json.is_number() || !std::isfinite(json.get<double>())) refuse(what + " must be a number");
+  return json.get<double>();
+}
+
+Eigen::Vector3d parseVector(const Json& json) {
+  if (!json.is_array() || json.size() != 3) refuse("a slope must be three numbers x, y, z");
+  return {parseNumber(json[0], "a slope"), parseNumber(json[1], "a slope"), parseNumber(json[2], "a slope")};
+}
+
+ProfileShape parseShape(const std::string& name) {
+  if (name == "linear") return ProfileShape::Linear;
+  if (name == "sinusoid") return ProfileShape::Sinusoid;
+  if (name == "parabola") return ProfileShape::Parabola;
+  refuse("shape \"" + name + "\" is unknown; shapes are linear, sinusoid, parabola and gap");
+}
+
+/// "8.3", "8.3+50", "8.4-50" or "2.4|8.3": a feature point (or the first that the face has) and an offset in degrees.
+void parsePlace(const std::string& place, ProfileKnot& knot) {
+  const size_t sign = place.find_first_of("+-");
+  knot.feature = place.substr(0, sign);
+  if (knot.feature.empty() || knot.feature.find_first_not_of("0123456789.|") != std::string::npos)
+    refuse("\"" + place + "\" is no place along a curve; write a feature point and degrees, such as \"8.3+50\"");
+  if (sign == std::string::npos) return;
+  const Json degrees = Json::parse(place.substr(place[sign] == '+' ? sign + 1 : sign), nullptr, false);
+  knot.offset = parseNumber(degrees, "the offset in \"" + place + "\"") * M_PI / 180.0;
+}
+
+ProfileKnot parseKnot(const Json& json, ProfileShape shape) {
+  if (!json.is_array() || json.size() < 2 || json.size() > 3) refuse("a knot must be [place, weight] or [place, weight, shape]");
+  ProfileKnot knot;
+  parsePlace(json[0].get<std::string>(), knot);
+  knot.weight = parseNumber(json[1], "the weight of a knot");
+  if (knot.weight < 0.0 || knot.weight > 1.0) refuse("the weight of a knot must lie within 0 and 1");
+  knot.shape = json.size() == 3 ? parseShape(json[2].get<std::string>()) : shape;
+  return knot;
+}
+
+WeightProfile parseProfile(const Json& json) {
+  WeightProfile profile;
+  const std::string shape = json.at("shape").get<std::string>();
+  if (shape == "gap") {
+    profile.gapUpper = parseCurve(json.at("upper"));
+    profile.gapLower = parseCurve(json.at("lower"));
+    if (profile.gapUpper >= profile.gapLower) refuse("the upper curve of a gap must come before the lower");
+    return profile;
+  }
+  for (const Json& knot : json.at("knots")) profile.knots.push_back(parseKnot(knot, parseShape(shape)));
+  if (profile.knots.size() < 2) refuse("a profile needs at least two knots");
+  return profile;
+}
+
+Eigen::Vector3d unitDirection(int fap) {
+  switch (fapDefinition(fap).positiveMotion) {
+    case FAPDirection::Left:
+      return {1.0, 0.0, 0.0};
+    case FAPDirection::Right:
+      return {-1.0, 0.0, 0.0};
+    case FAPDirection::Up:
+      return {0.0, 1.0, 0.0};
+    case FAPDirection::Down:
+      return {0.0, -1.0, 0.0};
+    case FAPDirection::Forward:
+      return {0.0, 0.0, 1.0};
+    default:
+      refuse("its motion is no shift; give slopes");
+  }
+}
+
+std::vector<Eigen::Vector3d> parseSlopes(const Json& part, const AnimationEntry& entry) {
+  const size_t intervals = entry.intervals.intervals();
+  if (!part.contains("slopes")) return std::vector<Eigen::Vector3d>(intervals, unitDirection(entry.fap));
+  std::vector<Eigen::Vector3d> slopes;
+  for (const Json& slope : part.at("slopes")) slopes.push_back(parseVector(slope));
+  if (slopes.size() != intervals)
+    refuse("there are " + std::to_string(slopes.size()) + " slopes for " + std::to_string(intervals) + " intervals");
+  return slopes;
+}
+
+AnimationPart parsePart(const Json& json, const AnimationEntry& entry) {
+  AnimationPart part;
+  for (const Json& curve : json.at("curves")) part.curves.push_back(parseCurve(curve));
+  if (part.curves.empty()) refuse("a part lists no curves");
+  std::sort(part.curves.begin(), part.curves.end());
+  part.curves.erase(std::unique(part.curves.begin(), part.curves.end()), part.curves.end());
+  if (json.contains("above")) part.above = parseCurve(json["above"]);
+  if (json.contains("below")) part.below = parseCurve(json["below"]);
+  if (part.above >= part.curves.front()) refuse("\"above\" must name a curve above those moved");
+  if (part.below >= 0 && part.below <= part.curves.back()) refuse("\"below\" must name a curve below those moved");
+  part.profile = parseProfile(json.at("profile"));
+  part.slopes = parseSlopes(json, entry);
+  return part;
+}
+
+void parseEntry(const Json& json, AnimationEntry& entry) {
+  if (fapDefinition(entry.fap).unit == FAPUnit::Angle) refuse("it turns by an angle, which a table of shifts cannot hold");
+  const std::string fault = entry.intervals.setBorders(json.at("borders").get<std::vector<double>>());
+  if (!fault.empty()) refuse(fault);
+  entry.group = json.value("group", std::string());
+  for (const Json& part : json.at("parts")) entry.parts.push_back(parsePart(part, entry));
+  if (entry.parts.empty()) refuse("it has no parts");
+}
+
+ContactPair parseContact(const Json& json) {
+  ContactPair pair;
+  pair.name = json.at("name").get<std::string>();
+  pair.upper = parseCurve(json.at("upper"));
+  pair.lower = parseCurve(json.at("lower"));
+  if (pair.lower != pair.upper + 1) refuse("contact \"" + pair.name + "\" must join two neighbouring curves");
+  const std::string yields = json.at("yields").get<std::string>();
+  if (yields != "upper" && yields != "both") refuse("\"yields\" must be upper or both");
+  pair.upperYields = yields == "upper";
+  return pair;
+}
+
+/// Runs one step of parsing; a fault is told with the name of what was being parsed.
+template <typename Step>
+void within(const std::string& place, Step&& step) {
+  try {
+    step();
+  } catch (const Json::exception& error) {
+    refuse(place + ": " + error.what());
+  } catch (const std::invalid_argument& error) {
+    refuse(place + ": " + error.what());
+  }
+}
+
+void parseFaps(const Json& json, std::vector<AnimationEntry>& entries) {
+  for (size_t i = 0; i < json.size(); ++i) {
+    AnimationEntry entry;
+    within("entry " + std::to_string(i + 1), [&] {
+      const double number = parseNumber(json[i].at("fap"), "fap");
+      if (number != std::floor(number) || number < FAPFrame::firstLowLevel || number > FAPFrame::count)
+        refuse("fap must be a whole number from 3 to 68");
+      entry.fap = static_cast<int>(number);
+    });
+    const std::string name = "FAP " + std::to_string(entry.fap);
+    const bool twice = std::any_of(entries.begin(), entries.end(), [&](const auto& e) { return e.fap == entry.fap; });
+    if (twice) refuse(name + ": there are two entries");
+    within(name, [&] { parseEntry(json[i], entry); });
+    entries.push_back(std::move(entry));
+  }
+}
+
+void parseRoot(const Json& root, std::vector<AnimationEntry>& entries, std::vector<ContactPair>& contacts) {
+  if (!root.is_object() || root.value("format", Json()) != "mien animation table")
+    refuse("\"format\" is not \"mien animation table\"");
+  if (root.value("version", Json()) != AnimationTable::version)
+    refuse("its version is not " + std::to_string(AnimationTable::version) + ", the only one known");
+  if (!root.contains("faps") || !root["faps"].is_array()) refuse("it has no list \"faps\"");
+  if (root.contains("contacts"))
+    within("contacts", [&] {
+      for (const Json& pair : root["contacts"]) contacts.push_back(parseContact(pair));
+    });
+  parseFaps(root["faps"], entries);
+}
+
+}  // namespace
+
+std::string AnimationTable::parse(const std::string& json) {
+  std::vector<AnimationEntry> entries;
+  std::vector<ContactPair> contacts;
+  try {
+    parseRoot(Json::parse(json), entries, contacts);
+  } catch (const Json::exception& error) {
+    return std::string("animation table: it is no valid JSON: ") + error.what();
+  } catch (const std::invalid_argument& error) {
+    return std::string("animation table: ") + error.what();
+  }
+  entries_ = std::move(entries);
+  contacts_ = std::move(contacts);
+  return {};
+}
+
+const AnimationEntry* AnimationTable::entry(int fap) const {
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const auto& e) { return e.fap == fap; });
+  return found == entries_.end() ? nullptr : &*found;
+}
+
+}  // namespace mien

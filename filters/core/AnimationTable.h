@@ -1,0 +1,60 @@
+#pragma once
+
+#include "FaceLayout.h"
+#include "PiecewiseLinear.h"
+#include "WeightProfile.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace mien {
+
+/// Some curves that one FAP moves alike, and how the neighbours follow.
+struct AnimationPart {
+  std::vector<int> curves;  ///< indices, moved with the weights of the profile
+  int above = -1;           ///< curves between this one and the first moved follow linearly by height; -1: none
+  int below = -1;           ///< the same between the last moved one and this
+  WeightProfile profile;
+  std::vector<Eigen::Vector3d> slopes;  ///< per interval, in FAP units (x left, y up, z forward)
+};
+
+/// What one FAP does. Unit, direction and feature point are those of the standard (FAPTable.h).
+struct AnimationEntry {
+  int fap = 0;
+  std::string group;  ///< FAPs of one group share its points: their weights sum to at most 1
+  PiecewiseLinear intervals;
+  std::vector<AnimationPart> parts;
+};
+
+/// Two curves that may touch but not cross.
+struct ContactPair {
+  std::string name;
+  int upper = 0, lower = 0;
+  bool upperYields = false;  ///< the upper stops at the lower (lids); else both give way (lips)
+};
+
+/// The face animation table (FAT) [S 5]: which points of the boundary curves each FAP moves, and how far.
+///
+/// Read from JSON: {"format": "mien animation table", "version": 1, "contacts": [...], "faps": [...]}, see
+/// doc/animation_table.md. Points are addressed by curve and by feature points along v, never by sample, so
+/// one table serves every face and every K >= 32.
+class AnimationTable {
+ public:
+  static constexpr int version = 1;
+
+  /// Replaces the table; on a fault it stays as it was.
+  /// @return nothing, or one sentence that names the entry and what is wrong with it
+  std::string parse(const std::string& json);
+
+  const std::vector<AnimationEntry>& entries() const { return entries_; }
+  const std::vector<ContactPair>& contacts() const { return contacts_; }
+  const AnimationEntry* entry(int fap) const;  ///< or nullptr
+
+ private:
+  std::vector<AnimationEntry> entries_;
+  std::vector<ContactPair> contacts_;
+};
+
+}  // namespace mien

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "FAPFrame.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mien {
+
+/// One facial expression as FAP values at full intensity.
+struct ExpressionProfile {
+  std::string name;        ///< "joy"
+  int select = 0;          ///< the number that FAP 2 selects it by, 1 .. 6
+  std::string definition;  ///< what the standard says it looks like, in words
+  std::vector<std::pair<int, double>> values;  ///< FAP number and value
+};
+
+/// Named expressions, read from JSON: {"format": "mien expressions", "version": 1, "expressions": [...]}.
+class ExpressionLibrary {
+ public:
+  static constexpr int version = 1;
+
+  /// Replaces the library; on a fault it stays as it was.
+  /// @return nothing, or one sentence that names the expression and what is wrong with it
+  std::string parse(const std::string& json);
+
+  const std::vector<ExpressionProfile>& expressions() const { return expressions_; }
+  const ExpressionProfile* find(const std::string& name) const;  ///< or nullptr
+
+  /// Adds intensity x values to a frame.
+  /// @param intensity 0 (nothing) .. 1 (full); values outside are brought to the nearer end
+  /// @return whether there is such an expression
+  bool add(const std::string& name, double intensity, FAPFrame& frame) const;
+
+ private:
+  std::vector<ExpressionProfile> expressions_;
+};
+
+}  // namespace mien

@@ -1,0 +1,16 @@
+#include "FineColumns.h"
+
+#include "ClosedCurves.h"
+
+#include <cmath>
+
+namespace mien {
+
+Eigen::MatrixXd fineColumns(int pointsPerCurve) {
+  const int n = columnsPerSample * pointsPerCurve;
+  Eigen::MatrixXd columns(n, pointsPerCurve);
+  for (int i = 0; i < n; ++i) columns.row(i) = cardinalWeights(pointsPerCurve, 2.0 * M_PI * i / n);
+  return columns;
+}
+
+}  // namespace mien

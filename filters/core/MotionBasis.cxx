@@ -1,0 +1,200 @@
+#include "MotionBasis.h"
+
+#include "FAPTable.h"
+#include "StaggeredWeights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace mien {
+
+/// A part of the table with its weights at the samples of the face.
+struct MotionBasis::BoundPart {
+  const AnimationEntry* entry;
+  const AnimationPart* part;
+  Eigen::VectorXd weights;
+  Eigen::VectorXd atFeature;  ///< empty when the feature point lies on another curve
+  bool parts;                 ///< moves one side of a contact only
+  int axis;                   ///< 0, 1 or 2: the direction in which it moves most
+
+  bool moves(int curve) const {
+    return std::find(part->curves.begin(), part->curves.end(), curve) != part->curves.end();
+  }
+};
+
+namespace {
+
+int mainAxis(const AnimationPart& part) {
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& slope : part.slopes) size = size.cwiseMax(slope.cwiseAbs());
+  int axis = 0;
+  size.maxCoeff(&axis);
+  return axis;
+}
+
+bool movesOneSide(const AnimationPart& part, const std::vector<ContactPair>& contacts) {
+  const auto has = [&](int curve) { return std::count(part.curves.begin(), part.curves.end(), curve) > 0; };
+  return std::any_of(contacts.begin(), contacts.end(), [&](const auto& c) { return has(c.upper) != has(c.lower); });
+}
+
+/// How far a curve between a moved one and a resting one follows: linear in its height, so that the curves
+/// between them keep their order however far the one moves towards the other.
+double followerShare(const ClosedCurves& curves, int moved, int resting, int curve, int j) {
+  const double from = curves.curve(resting)(j, 1), to = curves.curve(moved)(j, 1);
+  if (std::abs(to - from) < 1e-6) return double(curve - resting) / (moved - resting);
+  return std::clamp((curves.curve(curve)(j, 1) - from) / (to - from), 0.0, 1.0);
+}
+
+/// The weights of a part on any curve: its own, those that follow, or 0.
+Eigen::VectorXd weightsOnCurve(const AnimationPart& part, const Eigen::VectorXd& weights, const ClosedCurves& curves,
+                               int curve) {
+  const int first = part.curves.front(), last = part.curves.back();
+  if (std::count(part.curves.begin(), part.curves.end(), curve)) return weights;
+  const bool follows = (curve < first && part.above >= 0 && curve > part.above) || (curve > last && curve < part.below);
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(weights.size());
+  for (int j = 0; follows && j < weights.size(); ++j)
+    result[j] = weights[j] * (curve < first ? followerShare(curves, first, part.above, curve, j)
+                                            : followerShare(curves, last, part.below, curve, j));
+  return result;
+}
+
+std::string named(int fap, const std::string& fault) {
+  return "animation table: FAP " + std::to_string(fap) + ": " + fault;
+}
+
+}  // namespace
+
+double FAPMotion::reach(double value) const {
+  double furthest = 0.0;
+  for (const ClosedCurves::Points& slope : slopes) {
+    Eigen::RowVector3d travel = Eigen::RowVector3d::Zero();
+    for (int k = 0; k < intervals.intervals(); ++k) travel += intervals.length(k, value) * slope.row(k);
+    furthest = std::max(furthest, travel.norm());
+  }
+  return furthest;
+}
+
+std::string MotionBasis::collectParts(const FaceCurves& face, const AnimationTable& table, BoundParts& parts) {
+  const int k = face.curves.pointsPerCurve;
+  for (const AnimationEntry& entry : table.entries()) {
+    const std::string id(fapDefinition(entry.fap).featurePoint);
+    const FeaturePoint* feature = face.feature(id);
+    if (!feature) return named(entry.fap, "the face has no feature point " + id + ", which this FAP moves");
+    bool found = false;
+    for (const AnimationPart& part : entry.parts) {
+      BoundPart bound{&entry, &part, {}, {}, movesOneSide(part, table.contacts()), mainAxis(part)};
+      const std::string fault = part.profile.sample(face, *feature, bound.weights);
+      if (!fault.empty()) return named(entry.fap, fault);
+      if (bound.moves(feature->curve)) bound.atFeature = cardinalWeights(k, feature->v);
+      found = found || bound.moves(feature->curve);
+      parts.push_back(bound);
+    }
+    if (!found)
+      return named(entry.fap, "its feature point " + id + " lies on " + FaceLayout::curveName(feature->curve) +
+                                  ", a curve that none of its parts moves");
+  }
+  return {};
+}
+
+/// Parts of one group that move one curve in one direction share its points.
+std::string MotionBasis::staggerParts(BoundParts& parts) {
+  StaggeredWeights staggered;
+  std::vector<int> numberOf(parts.size(), -1), partOf;
+  std::map<std::tuple<std::string, int, int>, std::vector<int>> sharing;
+  for (size_t i = 0; i < parts.size(); ++i) {
+    const BoundPart& part = parts[i];
+    if (part.part->profile.followsGap()) continue;
+    numberOf[i] = staggered.add(part.weights, part.atFeature, part.parts);
+    partOf.push_back(static_cast<int>(i));
+    const bool alone = part.entry->group.empty();
+    const std::string group = alone ? "FAP " + std::to_string(part.entry->fap) : part.entry->group;
+    for (int curve : part.part->curves) sharing[{group, part.axis, curve}].push_back(numberOf[i]);
+  }
+  for (const auto& [key, profiles] : sharing) staggered.share(profiles);
+  const int fault = staggered.solve();
+  if (fault >= 0)
+    return named(parts[partOf[fault]].entry->fap,
+                 "its profile is too narrow for this face to move the feature point exactly; use more points per curve");
+  for (size_t i = 0; i < parts.size(); ++i)
+    if (numberOf[i] >= 0) parts[i].weights = staggered.weights(numberOf[i]);
+  return {};
+}
+
+int MotionBasis::groupNumber(const std::string& name) {
+  if (name.empty()) return -1;
+  const auto at = std::find(groups_.begin(), groups_.end(), name);
+  const int number = static_cast<int>(at - groups_.begin());
+  if (at == groups_.end()) {
+    groups_.push_back(name);
+    pointsOfGroup_.emplace_back();
+  }
+  return number;
+}
+
+/// Adds the displacement field of one part to the motion; `slopes` are mm for one FAP value, a row per interval.
+void MotionBasis::addPart(const BoundPart& part, const ClosedCurves& curves, const ClosedCurves::Points& slopes,
+                          FAPMotion& motion) {
+  const int k = curves.pointsPerCurve;
+  motion.slopes.push_back(slopes);
+  for (int curve = 0; curve < curves.count; ++curve) {
+    const Eigen::VectorXd weights = weightsOnCurve(*part.part, part.weights, curves, curve);
+    weights_.try_emplace({motion.fap, curve}, Eigen::VectorXd::Zero(k)).first->second += weights;
+    for (int j = 0; j < k; ++j) {
+      if (weights[j] == 0.0) continue;
+      motion.rows.push_back(curve * k + j);
+      for (int i = 0; i < slopes.rows(); ++i) {
+        ClosedCurves::Points& field = motion.perValue[i];
+        field.conservativeResize(motion.rows.size(), 3);
+        field.row(field.rows() - 1) = weights[j] * slopes.row(i);
+      }
+      if (motion.group >= 0 && part.moves(curve)) pointsOfGroup_[motion.group].push_back(curve * k + j);
+    }
+  }
+}
+
+void MotionBasis::buildMotion(const AnimationEntry& entry, const BoundParts& parts, const ClosedCurves& curves,
+                              double unit) {
+  const int intervals = entry.intervals.intervals();
+  FAPMotion motion{entry.fap, groupNumber(entry.group), entry.intervals, {}, {}, {}};
+  motion.perValue.resize(intervals);
+  for (const BoundPart& part : parts) {
+    if (part.entry != &entry) continue;
+    ClosedCurves::Points slopes(intervals, 3);
+    for (int i = 0; i < intervals; ++i) slopes.row(i) = unit * part.part->slopes[i].transpose();
+    addPart(part, curves, slopes, motion);
+  }
+  motions_.push_back(std::move(motion));
+}
+
+std::string MotionBasis::bind(const FaceCurves& face, const AnimationTable& table, const FAPUnits& units) {
+  *this = MotionBasis();
+  BoundParts parts;
+  std::string fault = collectParts(face, table, parts);
+  if (fault.empty()) fault = staggerParts(parts);
+  if (!fault.empty()) return fault;
+  for (const AnimationEntry& entry : table.entries())
+    buildMotion(entry, parts, face.curves, units.perValue(fapDefinition(entry.fap).unit));
+  for (std::vector<int>& rows : pointsOfGroup_) {
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  }
+  return {};
+}
+
+const FAPMotion* MotionBasis::motion(int fap) const {
+  const auto found = std::find_if(motions_.begin(), motions_.end(), [&](const auto& m) { return m.fap == fap; });
+  return found == motions_.end() ? nullptr : &*found;
+}
+
+Eigen::VectorXd MotionBasis::weights(int fap, int curve) const {
+  const auto found = weights_.find({fap, curve});
+  return found == weights_.end() ? Eigen::VectorXd() : found->second;
+}
+
+double MotionBasis::usableValue(const FAPFrame& frame, int fap) {
+  const double value = frame.value(fap);
+  return std::isfinite(value) ? std::clamp(value, -largestValue, largestValue) : 0.0;
+}
+
+}  // namespace mien

@@ -1,0 +1,103 @@
+#include "StaggeredWeights.h"
+
+#include "FineColumns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+
+namespace {
+
+constexpr int maximumSweeps = 20000;
+constexpr double precision = 1e-13;  ///< on weights: far below the 1e-9 mm asked of feature points
+constexpr double acceptable = 1e-11;
+
+}  // namespace
+
+int StaggeredWeights::add(const Eigen::VectorXd& weights, const Eigen::VectorXd& atFeature, bool parts) {
+  const Eigen::VectorXd mask = (weights.array() > 0.0).cast<double>();
+  profiles_.push_back({weights, mask, atFeature, parts});
+  if (parts && columns_.size() == 0) columns_ = fineColumns(static_cast<int>(weights.size()));
+  return static_cast<int>(profiles_.size()) - 1;
+}
+
+void StaggeredWeights::share(const std::vector<int>& profiles) {
+  if (std::find(sets_.begin(), sets_.end(), profiles) == sets_.end()) sets_.push_back(profiles);
+}
+
+/// Projects onto the profiles that interpolate to 1 at the feature point; gives the error there was.
+double StaggeredWeights::meetFeature(Profile& profile) const {
+  if (profile.atFeature.size() == 0) return 0.0;
+  const Eigen::VectorXd normal = profile.atFeature.cwiseProduct(profile.mask);
+  const double length = normal.squaredNorm();
+  const double error = 1.0 - profile.atFeature.dot(profile.weights);
+  if (length > 0.0) profile.weights += error / length * normal;
+  return std::abs(error);
+}
+
+/// Projects the weights of a set at one sample onto w >= 0, sum <= 1; gives the largest change.
+double StaggeredWeights::bound(const std::vector<int>& set, int sample) {
+  double excess = 0.0;
+  const auto sumAbove = [&](double level) {
+    double sum = 0.0;
+    for (int p : set) sum += std::max(0.0, profiles_[p].weights[sample] - level);
+    return sum;
+  };
+  // The level is found from below: each step is exact when no further weight drops to 0.
+  for (size_t step = 0; step < set.size() && sumAbove(excess) > 1.0; ++step) {
+    int positive = 0;
+    for (int p : set) positive += profiles_[p].weights[sample] > excess;
+    excess += (sumAbove(excess) - 1.0) / positive;
+  }
+  double change = 0.0;
+  for (int p : set) {
+    double& weight = profiles_[p].weights[sample];
+    const double bounded = std::max(0.0, weight - excess);
+    change = std::max(change, std::abs(bounded - weight));
+    weight = bounded;
+  }
+  return change;
+}
+
+/// Lifts the interpolant where it dips too low, once in every interval between samples and all at once, so
+/// that a mirrored profile stays mirrored; gives the deepest dip below what is allowed.
+double StaggeredWeights::liftBetweenSamples(Profile& profile) const {
+  if (!profile.parts) return 0.0;
+  const Eigen::VectorXd values = columns_ * profile.weights;
+  Eigen::VectorXd correction = Eigen::VectorXd::Zero(profile.weights.size());
+  double deepest = 0.0;
+  for (int first = 0; first < values.size(); first += columnsPerSample) {
+    Eigen::Index lowest;
+    const double dip = -undershoot - values.segment(first, columnsPerSample).minCoeff(&lowest);
+    if (dip <= 0.0) continue;
+    const Eigen::VectorXd normal = columns_.row(first + lowest).transpose().cwiseProduct(profile.mask);
+    if (normal.squaredNorm() > 1e-12) correction += 0.5 * dip / normal.squaredNorm() * normal;
+    deepest = std::max(deepest, dip);
+  }
+  profile.weights += correction;
+  return deepest;
+}
+
+double StaggeredWeights::sweep() {
+  double error = 0.0;
+  for (Profile& profile : profiles_) {
+    error = std::max(error, liftBetweenSamples(profile));
+    error = std::max(error, meetFeature(profile));
+  }
+  for (const auto& set : sets_)
+    for (int j = 0; j < profiles_[set.front()].weights.size(); ++j) error = std::max(error, bound(set, j));
+  return error;
+}
+
+int StaggeredWeights::solve() {
+  for (int i = 0; i < maximumSweeps && sweep() > precision; ++i) continue;
+  for (size_t p = 0; p < profiles_.size(); ++p) {
+    const Profile& profile = profiles_[p];
+    if (profile.atFeature.size() > 0 && !(std::abs(profile.atFeature.dot(profile.weights) - 1.0) < acceptable))
+      return static_cast<int>(p);
+  }
+  return -1;
+}
+
+}  // namespace mien
