@@ -7,6 +7,7 @@
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -19,6 +20,18 @@
 #include <set>
 
 vtkStandardNewMacro(vtkFAPAnimationFilter);
+
+namespace
+{
+
+/// Copies a time when there is one.
+void passTime(vtkInformation* from, vtkInformation* to, vtkInformationDoubleKey* key)
+{
+  if (from->Has(key))
+    to->Set(key, from->Get(key));
+}
+
+} // namespace
 
 struct vtkFAPAnimationFilter::Internals
 {
@@ -208,7 +221,7 @@ int vtkFAPAnimationFilter::RequestUpdateExtent(
   using SDDP = vtkStreamingDemandDrivenPipeline;
   vtkInformation* frames = inputs[1]->GetInformationObject(0);
   if (frames)
-    frames->CopyEntry(outputs->GetInformationObject(0), SDDP::UPDATE_TIME_STEP());
+    passTime(outputs->GetInformationObject(0), frames, SDDP::UPDATE_TIME_STEP());
   return 1;
 }
 
@@ -255,8 +268,8 @@ void addValues(const mien::FAPFrame& values, mien::FAPFrame& frame)
 
 void copyDataTime(vtkDataObject* from, vtkDataObject* to)
 {
-  if (from && from->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
-    to->GetInformation()->CopyEntry(from->GetInformation(), vtkDataObject::DATA_TIME_STEP());
+  if (from)
+    passTime(from->GetInformation(), to->GetInformation(), vtkDataObject::DATA_TIME_STEP());
 }
 
 } // namespace

@@ -69,6 +69,7 @@ bool ContactClamp::tooDeep() const {
 /// Lifts the lowest column of every interval at once, so that mirrored motion stays mirrored.
 void ContactClamp::liftOnce() {
   correction_.setZero();
+  int dips = 0;
   for (int first = 0; first < values_.size(); first += columnsPerSample) {
     Eigen::Index lowest;
     const double dip =
@@ -76,9 +77,12 @@ void ContactClamp::liftOnce() {
     if (dip <= 0.0) continue;
     const auto row = columns_.row(first + lowest).transpose();
     const double length = row.cwiseProduct(mask_).squaredNorm();
-    if (length > 1e-6) correction_ += 0.5 * (dip + 0.01) / length * row.cwiseProduct(mask_);
+    if (length < 1e-6) continue;
+    correction_ += (dip + 0.005) / length * row.cwiseProduct(mask_);
+    ++dips;
   }
-  gap_ = (gap_ + correction_).cwiseMax(neutralGap_.cwiseMin(0.0));
+  // The mean of projections converges where their sum would swing.
+  if (dips > 0) gap_ = (gap_ + 1.5 / dips * correction_).cwiseMax(neutralGap_.cwiseMin(0.0));
 }
 
 void ContactClamp::drawTowardsNeutral() {

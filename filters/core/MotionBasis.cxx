@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <tuple>
 
 namespace mien {
@@ -175,11 +176,17 @@ std::string MotionBasis::bind(const FaceCurves& face, const AnimationTable& tabl
   if (!fault.empty()) return fault;
   for (const AnimationEntry& entry : table.entries())
     buildMotion(entry, parts, face.curves, units.perValue(fapDefinition(entry.fap).unit));
-  for (std::vector<int>& rows : pointsOfGroup_) {
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  }
+  for (int group = 0; group < static_cast<int>(groups_.size()); ++group) keepOwnPoints(group);
   return {};
+}
+
+/// Leaves to a group the points that no other FAP moves: only these are bound by its displacements alone.
+void MotionBasis::keepOwnPoints(int group) {
+  std::set<int> own(pointsOfGroup_[group].begin(), pointsOfGroup_[group].end());
+  for (const FAPMotion& motion : motions_)
+    for (int row : motion.rows)
+      if (motion.group != group) own.erase(row);
+  pointsOfGroup_[group].assign(own.begin(), own.end());
 }
 
 const FAPMotion* MotionBasis::motion(int fap) const {

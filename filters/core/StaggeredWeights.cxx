@@ -2,6 +2,8 @@
 
 #include "FineColumns.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,11 +15,30 @@ constexpr int maximumSweeps = 20000;
 constexpr double precision = 1e-13;  ///< on weights: far below the 1e-9 mm asked of feature points
 constexpr double acceptable = 1e-11;
 
+/// The inverse of D^T D on the samples where the profile is not 0, with D the second differences of a change
+/// that is 0 elsewhere.
+Eigen::MatrixXd smoothingOperator(const Eigen::VectorXd& weights) {
+  const int k = static_cast<int>(weights.size());
+  std::vector<int> support;
+  for (int j = 0; j < k; ++j)
+    if (weights[j] > 0.0) support.push_back(j);
+  const int n = static_cast<int>(support.size());
+  Eigen::MatrixXd differences = Eigen::MatrixXd::Zero(k, n);
+  for (int i = 0; i < n; ++i) {
+    differences(support[i], i) = -2.0;
+    for (int step : {1, k - 1}) differences((support[i] + step) % k, i) = 1.0;
+  }
+  const Eigen::MatrixXd inverse = (differences.transpose() * differences).inverse();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(k, k);
+  for (int i = 0; i < n; ++i)
+    for (int m = 0; m < n; ++m) result(support[i], support[m]) = inverse(i, m);
+  return result;
+}
+
 }  // namespace
 
 int StaggeredWeights::add(const Eigen::VectorXd& weights, const Eigen::VectorXd& atFeature, bool parts) {
-  const Eigen::VectorXd mask = (weights.array() > 0.0).cast<double>();
-  profiles_.push_back({weights, mask, atFeature, parts});
+  profiles_.push_back({weights, atFeature, smoothingOperator(weights), parts});
   if (parts && columns_.size() == 0) columns_ = fineColumns(static_cast<int>(weights.size()));
   return static_cast<int>(profiles_.size()) - 1;
 }
@@ -29,8 +50,8 @@ void StaggeredWeights::share(const std::vector<int>& profiles) {
 /// Projects onto the profiles that interpolate to 1 at the feature point; gives the error there was.
 double StaggeredWeights::meetFeature(Profile& profile) const {
   if (profile.atFeature.size() == 0) return 0.0;
-  const Eigen::VectorXd normal = profile.atFeature.cwiseProduct(profile.mask);
-  const double length = normal.squaredNorm();
+  const Eigen::VectorXd normal = profile.smoothing * profile.atFeature;
+  const double length = profile.atFeature.dot(normal);
   const double error = 1.0 - profile.atFeature.dot(profile.weights);
   if (length > 0.0) profile.weights += error / length * normal;
   return std::abs(error);
@@ -67,15 +88,20 @@ double StaggeredWeights::liftBetweenSamples(Profile& profile) const {
   const Eigen::VectorXd values = columns_ * profile.weights;
   Eigen::VectorXd correction = Eigen::VectorXd::Zero(profile.weights.size());
   double deepest = 0.0;
+  int dips = 0;
   for (int first = 0; first < values.size(); first += columnsPerSample) {
     Eigen::Index lowest;
     const double dip = -undershoot - values.segment(first, columnsPerSample).minCoeff(&lowest);
     if (dip <= 0.0) continue;
-    const Eigen::VectorXd normal = columns_.row(first + lowest).transpose().cwiseProduct(profile.mask);
-    if (normal.squaredNorm() > 1e-12) correction += 0.5 * dip / normal.squaredNorm() * normal;
+    const Eigen::VectorXd normal = profile.smoothing * columns_.row(first + lowest).transpose();
+    const double length = columns_.row(first + lowest).dot(normal);
+    if (length < 1e-12) continue;
+    correction += dip / length * normal;
     deepest = std::max(deepest, dip);
+    ++dips;
   }
-  profile.weights += correction;
+  // Between neighbouring samples the normals are nearly parallel: their mean converges, their sum would not.
+  if (dips > 0) profile.weights += 1.5 / dips * correction;
   return deepest;
 }
 

@@ -15,7 +15,7 @@ namespace mien {
 /// - each profile with a feature point interpolates to 1 there,
 /// - no weight is negative and the weights of each sharing set sum to at most 1 at every sample,
 /// - profiles that part two touching curves interpolate to no less than -`undershoot` anywhere.
-/// A profile stays 0 where it was 0.
+/// A profile stays 0 where it was 0; among the changes that serve, the one of least second differences is taken.
 class StaggeredWeights {
  public:
   static constexpr double undershoot = 0.002;  ///< 0.08 mm for a mouth that opens by 40 mm
@@ -32,7 +32,8 @@ class StaggeredWeights {
 
  private:
   struct Profile {
-    Eigen::VectorXd weights, mask, atFeature;
+    Eigen::VectorXd weights, atFeature;
+    Eigen::MatrixXd smoothing;  ///< turns a condition on the weights into the smoothest change that serves it
     bool parts = false;
   };
 

@@ -1,0 +1,235 @@
+#include "FaceAnimator.h"
+
+#include "DataFile.h"
+#include "FAPTable.h"
+#include "FineColumns.h"
+#include "SyntheticFace.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace mien;
+
+namespace {
+
+AnimationTable defaultTable() {
+  AnimationTable table;
+  EXPECT_EQ(table.parse(readDataFile("animation/animation_table.json")), "");
+  return table;
+}
+
+Eigen::Vector3d direction(int fap) {
+  switch (fapDefinition(fap).positiveMotion) {
+    case FAPDirection::Left:
+      return {1, 0, 0};
+    case FAPDirection::Right:
+      return {-1, 0, 0};
+    case FAPDirection::Up:
+      return {0, 1, 0};
+    default:
+      return {0, -1, 0};
+  }
+}
+
+class FaceAnimatorTest : public testing::TestWithParam<int> {
+ protected:
+  void SetUp() override {
+    face = SyntheticFace::make(GetParam());
+    ASSERT_EQ(animator.bind(face, defaultTable()), "");
+  }
+
+  FAPFrame randomFrame(double range) {
+    FAPFrame frame;
+    std::uniform_real_distribution<double> values(-range, range);
+    for (int fap : paperSubset()) frame.setValue(fap, values(random));
+    return frame;
+  }
+
+  double largestSingle(const FAPFrame& frame, std::initializer_list<int> faps) const {
+    double largest = 0.0;
+    for (int fap : faps)
+      largest = std::max(largest, std::abs(frame.value(fap)) * animator.units().perValue(fapDefinition(fap).unit));
+    return largest;
+  }
+
+  double furthest(const ClosedCurves& moved, std::initializer_list<const char*> curves, double from, double to) const {
+    double distance = 0.0;
+    const int k = moved.pointsPerCurve;
+    for (const char* name : curves)
+      for (int j = static_cast<int>(std::ceil(from * k / (2 * M_PI))); j <= to * k / (2 * M_PI); ++j) {
+        const int c = FaceLayout::curveIndex(name);
+        distance = std::max(distance, (moved.curve(c).row(j) - face.curves.curve(c).row(j)).norm());
+      }
+    return distance;
+  }
+
+  void expectNoCrossing(const ClosedCurves& moved, int upper, int lower, const Eigen::MatrixXd& columns) const {
+    const Eigen::VectorXd gap = moved.curve(upper).col(1) - moved.curve(lower).col(1);
+    ASSERT_GE(gap.minCoeff(), 0.0);
+    ASSERT_GE((columns * gap).minCoeff(), -0.1);
+  }
+
+  FaceCurves face;
+  FaceAnimator animator;
+  std::mt19937 random{7};
+};
+
+}  // namespace
+
+TEST_P(FaceAnimatorTest, ZeroFrameGivesTheNeutralCurvesBitForBit) {
+  FAPFrame frame;
+  frame.setValue(52, -300.0);
+  EXPECT_NE(animator.animate(frame).points, face.curves.points);
+  EXPECT_EQ(animator.animate(FAPFrame()).points, face.curves.points);
+}
+
+TEST_P(FaceAnimatorTest, EachFapMovesItsFeaturePointExactly) {
+  // 600 is 26 mm for brows, nose and cheek bones, further than the way to the lids or the lips: these curves must give way.
+  const auto hasRoom = [](int fap, double value) {
+    return std::abs(value) < 600.0 || (fap > 36 && fap != 41 && fap != 42 && fap != 63);
+  };
+  for (int fap : paperSubset())
+    for (double value : {100.0, -100.0, 300.0, -300.0, 600.0, -600.0}) {
+      if (!hasRoom(fap, value)) continue;
+      FAPFrame frame;
+      frame.setValue(fap, value);
+      const ClosedCurves& moved = animator.animate(frame);
+      const FeaturePoint* feature = face.feature(std::string(fapDefinition(fap).featurePoint));
+      const Eigen::Vector3d shift = moved.at(feature->curve, feature->v) - face.curves.at(feature->curve, feature->v);
+      const Eigen::Vector3d expected = value * animator.units().perValue(fapDefinition(fap).unit) * direction(fap);
+      EXPECT_LT((shift - expected).norm(), 1e-9) << "FAP " << fap << " = " << value;
+      EXPECT_EQ(animator.keptShare(), 1.0) << "FAP " << fap << " = " << value;
+    }
+}
+
+TEST_P(FaceAnimatorTest, MirroredFapsGiveMirroredCurves) {
+  const int k = GetParam();
+  for (int trial = 0; trial < 50; ++trial) {
+    const FAPFrame frame = randomFrame(400.0);
+    const ClosedCurves moved = animator.animate(frame);
+    const ClosedCurves& other = animator.animate(mirrored(frame));
+    double largest = 0.0;
+    for (int c = 0; c < moved.count; ++c)
+      for (int j = 0; j < k; ++j) {
+        const Eigen::RowVector3d p = moved.curve(c).row(j), q = other.curve(c).row((k - j) % k);
+        largest = std::max(largest, (p - Eigen::RowVector3d(-q.x(), q.y(), q.z())).norm());
+      }
+    EXPECT_LT(largest, 1e-8);
+  }
+}
+
+TEST_P(FaceAnimatorTest, BrowAndLipWeightsAreStaggered) {
+  const auto check = [&](std::initializer_list<int> faps, const char* curve) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(GetParam());
+    for (int fap : faps) {
+      const Eigen::VectorXd weights = animator.basis().weights(fap, FaceLayout::curveIndex(curve));
+      EXPECT_GE(weights.minCoeff(), 0.0) << fap << " on " << curve;
+      sum += weights;
+    }
+    EXPECT_LE(sum.maxCoeff(), 1.0 + 1e-12) << curve;
+    EXPECT_GT(sum.maxCoeff(), 0.0) << curve;
+  };
+  for (const char* curve : {"C2", "C5", "C6", "C7", "C8"}) check({31, 32, 33, 34, 35, 36}, curve);
+  for (const char* curve : {"C19", "C20", "C21", "C22", "C22'", "C23", "C24", "C25", "C26"}) {
+    check({51, 59, 60}, curve);
+    check({52, 59, 60}, curve);
+    check({53, 54}, curve);
+  }
+}
+
+TEST_P(FaceAnimatorTest, RandomFramesStayWithinTheLargestSingleDisplacementAndNeverCross) {
+  const Eigen::MatrixXd columns = fineColumns(GetParam());
+  const double mouth = face.feature("8.3")->v;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const FAPFrame frame = randomFrame(trial % 2 == 0 ? 600.0 : 1000.0);
+    const ClosedCurves& moved = animator.animate(frame);
+    ASSERT_LE(furthest(moved, {"C6"}, 0.0, 2 * M_PI - 0.2), largestSingle(frame, {31, 32, 33, 34, 35, 36}) + 1e-9);
+    ASSERT_LE(furthest(moved, {"C21", "C22", "C22'", "C23"}, 2 * M_PI - mouth, mouth),
+              largestSingle(frame, {51, 52, 53, 54, 59, 60}) + 1e-9) << trial;
+    expectNoCrossing(moved, FaceLayout::upperLip, FaceLayout::lowerLip, columns);
+    expectNoCrossing(moved, 8, 9, columns);
+    FaceCurves checked = face;
+    checked.curves = moved;
+    ASSERT_EQ(describeFault(checked), "");
+  }
+}
+
+TEST_P(FaceAnimatorTest, OneIrisDiameterClosesTheEye) {
+  FAPFrame frame;
+  frame.setValue(19, 1024.0);
+  const ClosedCurves& moved = animator.animate(frame);
+  const int k = GetParam();
+  double open = 0.0, otherOpen = 0.0;
+  for (int j = 0; j < k; ++j) {
+    const double x = face.curves.curve(8)(j, 0), gap = moved.curve(8)(j, 1) - moved.curve(9)(j, 1);
+    if (j > k / 2 && x > 18.0 && x < 45.0 && moved.curve(8)(j, 2) > 0.0) open = std::max(open, gap);
+    if (x < -18.0 && x > -45.0 && moved.curve(8)(j, 2) > 0.0) otherOpen = std::max(otherOpen, gap);
+  }
+  EXPECT_LT(open, 0.2);  // samples are lifted a little so that the lids do not cross between them
+  EXPECT_GT(otherOpen, 7.0);
+}
+
+TEST_P(FaceAnimatorTest, LipsCoincideUnlessTheyPart) {
+  for (double value : {300.0, -300.0}) {
+    FAPFrame frame;
+    for (int fap : {53, 54, 59, 60}) frame.setValue(fap, value);
+    const ClosedCurves& moved = animator.animate(frame);
+    EXPECT_EQ(moved.curve(FaceLayout::upperLip), moved.curve(FaceLayout::lowerLip));
+  }
+  FAPFrame frame;
+  frame.setValue(52, -500.0);
+  const ClosedCurves& moved = animator.animate(frame);
+  const double corner = face.feature("2.4")->v;
+  double widest = 0.0;
+  for (int j = 0; j < GetParam(); ++j) {
+    const double gap = moved.curve(FaceLayout::upperLip)(j, 1) - moved.curve(FaceLayout::lowerLip)(j, 1);
+    widest = std::max(widest, gap);
+    if (std::abs(2 * M_PI * j / GetParam() - M_PI) > corner - M_PI) {
+      EXPECT_EQ(gap, 0.0) << j;
+    }
+  }
+  EXPECT_NEAR(widest, 500.0 * animator.units().perValue(FAPUnit::MouthNoseSeparation), 0.05 * widest);
+}
+
+TEST_P(FaceAnimatorTest, PressedLipsMeetAndSaySo) {
+  FAPFrame frame;
+  frame.setValue(51, 200.0);
+  frame.setValue(52, 100.0);
+  const ClosedCurves& moved = animator.animate(frame);
+  EXPECT_EQ(moved.curve(FaceLayout::upperLip).col(1), moved.curve(FaceLayout::lowerLip).col(1));
+  EXPECT_NEAR(animator.contactClamped(), 300.0 * animator.units().perValue(FAPUnit::MouthNoseSeparation), 1e-6);
+  EXPECT_GT(animator.contactSamples(), 3);
+  animator.animate(FAPFrame());
+  EXPECT_EQ(animator.contactClamped(), 0.0);
+}
+
+TEST_P(FaceAnimatorTest, FapsWithoutAnEntryAreTold) {
+  FAPFrame frame;
+  frame.setValue(31, 10.0);
+  frame.setValue(43, 10.0);
+  frame.viseme.select1 = 4.0;
+  EXPECT_EQ(animator.ignoredFAPs(frame), (std::vector<int>{1, 43}));
+}
+
+TEST_P(FaceAnimatorTest, AbsurdValuesKeepTheCurvesInOrder) {
+  for (int fap : paperSubset())
+    for (double value : {1e4, -1e4, 1e300, -1e300}) {
+      FAPFrame frame;
+      frame.setValue(fap, value);
+      FaceCurves checked = face;
+      checked.curves = animator.animate(frame);
+      EXPECT_EQ(describeFault(checked), "") << "FAP " << fap << " = " << value;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(PointsPerCurve, FaceAnimatorTest, testing::Values(32, 40, 64));
+
+TEST(FaceAnimator, NamesWhatAFaceLacks) {
+  FaceAnimator animator;
+  FaceCurves face = SyntheticFace::make();
+  face.features.erase(face.features.begin());
+  EXPECT_NE(animator.bind(face, defaultTable()).find("FAP 31: the face has no feature point 4.1"), std::string::npos);
+  EXPECT_NE(animator.bind(SyntheticFace::make(30), defaultTable()).find("at least 32"), std::string::npos);
+}
