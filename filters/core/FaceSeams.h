@@ -1,0 +1,61 @@
+#pragma once
+
+#include "FaceSurface.h"
+#include "PDESurface.h"
+#include "SeamSummary.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace mien {
+
+/// The eight seams P0|P1 .. P7|P8 of a PDE face, measured from both sides at equidistant v.
+///
+/// The jets are those of the solutions on either side, so nothing is differenced. P6|P7 is the mouth: while the lips
+/// are apart its gap and angle are those between C22 and C22'.
+class FaceSeams {
+ public:
+  static constexpr int seamCount = FaceLayout::patchCount - 1;
+  static constexpr int defaultColumns = 400;
+  static constexpr double frontalZ = 50.0;  ///< mm; the front of the face lies beyond
+
+  /// Makes the operators, which stay good for all curves of K points.
+  FaceSeams(const FaceSurfaceOptions& options, int pointsPerCurve, int columns = defaultColumns);
+
+  /// One sentence when the scheme's conditions determine no surface, or nothing.
+  const std::string& fault() const { return surface_.fault(); }
+
+  /// Measures all seams of new curves.
+  void setCurves(const ClosedCurves& curves);
+
+  int columnCount() const { return static_cast<int>(v_.size()); }
+  double v(int column) const { return v_[column]; }
+
+  /// "P0|P1" .. "P7|P8".
+  static std::string name(int seam);
+
+  /// side 0: of the patch that ends in the seam, side 1: of the patch that begins there.
+  SurfaceJet jet(int seam, int side, int column) const;
+
+  /// The middle between both sides, mm.
+  Eigen::Vector3d position(int seam, int column) const;
+
+  const SeamMeasures& measures(int seam, int column) const { return measures_[seam * columnCount() + column]; }
+
+  /// Over the whole seam.
+  const SeamSummary& whole(int seam) const { return whole_[seam]; }
+  /// Over its samples with z > frontalZ.
+  const SeamSummary& frontal(int seam) const { return frontal_[seam]; }
+
+ private:
+  void measure(int seam);
+
+  Eigen::VectorXd v_;
+  PDESurface<double> surface_;              ///< rows: seam by seam, both sides
+  std::array<RowMajor<double>, 6> grids_;   ///< S, S_u, S_v, S_uu, S_uv, S_vv
+  std::vector<SeamMeasures> measures_;
+  std::array<SeamSummary, seamCount> whole_, frontal_;
+};
+
+}  // namespace mien
