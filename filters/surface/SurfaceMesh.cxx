@@ -1,0 +1,128 @@
+#include "SurfaceMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkGeometryFilter.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataConnectivityFilter.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTriangle.h"
+#include "vtkTriangleFilter.h"
+
+#include <cmath>
+
+namespace mien
+{
+
+namespace
+{
+
+/// Calls function(ids) with the three point ids of each triangle.
+template <class Function>
+void forTriangles(vtkPolyData* triangles, const Function& function)
+{
+  vtkNew<vtkIdList> ids;
+  vtkCellArray* cells = triangles->GetPolys();
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, ids);
+    function(ids->GetPointer(0));
+  }
+}
+
+/// Whether the triangles face against the point normals, summed over all of them.
+bool facesAgainstNormals(vtkPolyData* triangles)
+{
+  vtkDataArray* normals = triangles->GetPointData()->GetNormals();
+  if (!normals)
+    return false;
+  double sum = 0.0;
+  forTriangles(triangles, [&](const vtkIdType* ids) {
+    double points[3][3], normal[3];
+    for (int i = 0; i < 3; ++i)
+      triangles->GetPoint(ids[i], points[i]);
+    vtkTriangle::ComputeNormalDirection(points[0], points[1], points[2], normal);
+    sum += vtkMath::Dot(normal, normals->GetTuple3(ids[0]));
+  });
+  return sum < 0.0;
+}
+
+void reverse(vtkPolyData* triangles)
+{
+  vtkNew<vtkCellArray> reversed;
+  forTriangles(triangles, [&](const vtkIdType* ids) {
+    const vtkIdType other[3] = { ids[2], ids[1], ids[0] };
+    reversed->InsertNextCell(3, other);
+  });
+  triangles->SetPolys(reversed);
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> visibleSurface(vtkDataObject* data)
+{
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+    return surface;
+  if (!vtkStructuredGrid::SafeDownCast(data))
+    return nullptr;
+  vtkNew<vtkGeometryFilter> geometry;
+  geometry->SetInputData(data);
+  geometry->Update();
+  return geometry->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> largestComponent(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyDataConnectivityFilter> connectivity;
+  connectivity->SetInputData(surface);
+  connectivity->SetExtractionModeToLargestRegion();
+  connectivity->Update();
+  return connectivity->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface)
+{
+  vtkNew<vtkTriangleFilter> triangulate;
+  triangulate->SetInputData(surface);
+  triangulate->PassVertsOff();
+  triangulate->PassLinesOff();
+  triangulate->Update();
+  const auto triangles = vtkSmartPointer<vtkPolyData>::New();
+  triangles->SetPoints(triangulate->GetOutput()->GetPoints());
+  triangles->SetPolys(triangulate->GetOutput()->GetPolys());
+  triangles->GetPointData()->SetNormals(surface->GetPointData()->GetNormals());
+  if (facesAgainstNormals(triangles))
+    reverse(triangles);
+  return triangles;
+}
+
+std::string describeFault(vtkPolyData* triangles, const std::string& name)
+{
+  if (!triangles || triangles->GetNumberOfPolys() == 0)
+    return "the " + name + " has no polygons; give a surface mesh";
+  for (vtkIdType i = 0; i < triangles->GetNumberOfPoints(); ++i)
+    for (int xyz = 0; xyz < 3; ++xyz)
+      if (!std::isfinite(triangles->GetPoint(i)[xyz]))
+        return "point " + std::to_string(i) + " of the " + name + " is not finite; repair the mesh";
+  return {};
+}
+
+std::vector<double> pointAreas(vtkPolyData* triangles)
+{
+  std::vector<double> areas(triangles->GetNumberOfPoints(), 0.0);
+  forTriangles(triangles, [&](const vtkIdType* ids) {
+    double points[3][3];
+    for (int i = 0; i < 3; ++i)
+      triangles->GetPoint(ids[i], points[i]);
+    const double third = vtkTriangle::TriangleArea(points[0], points[1], points[2]) / 3.0;
+    for (int i = 0; i < 3; ++i)
+      areas[ids[i]] += third;
+  });
+  return areas;
+}
+
+} // namespace mien

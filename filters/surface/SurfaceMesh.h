@@ -1,0 +1,29 @@
+#pragma once
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkPolyData;
+
+namespace mien
+{
+
+/// The visible cells of a structured grid, or a polydata as it is; nothing from anything else.
+vtkSmartPointer<vtkPolyData> visibleSurface(vtkDataObject* data);
+
+/// The part of a surface with the most cells among those that share no point; all points stay.
+vtkSmartPointer<vtkPolyData> largestComponent(vtkPolyData* surface);
+
+/// Polygons and strips as triangles over the same points, wound like the point normals where the surface has them.
+vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface);
+
+/// One sentence that says why triangles can be no surface (none, points that are not finite), or nothing.
+std::string describeFault(vtkPolyData* triangles, const std::string& name);
+
+/// Area that belongs to each point: a third of every triangle around it (mm2).
+std::vector<double> pointAreas(vtkPolyData* triangles);
+
+} // namespace mien

@@ -1,0 +1,228 @@
+#include "vtkSurfaceDistanceFilter.h"
+
+#include "SurfaceDistance.h"
+#include "SurfaceMesh.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkLongLongArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+vtkStandardNewMacro(vtkSurfaceDistanceFilter);
+
+namespace
+{
+
+/// Points between two looks at the abort flag; at most about 0.1 s of work on one core.
+constexpr vtkIdType pointsPerSlab = 1 << 14;
+constexpr vtkIdType pointsPerTask = 256;
+constexpr int portOfTable = 2;
+constexpr double everywhere = std::numeric_limits<double>::lowest();
+
+const char* const portNames[] = { "surface", "reference mesh" };
+const char* const directionNames[] = { "to reference", "from reference" };
+
+/// One of the two surfaces on its way through the filter.
+struct Side
+{
+  vtkSmartPointer<vtkPolyData> surface, triangles;
+  std::vector<double> areas, distances;
+};
+
+vtkSmartPointer<vtkDoubleArray> column(const char* name)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  return array;
+}
+
+void fillTable(const std::array<mien::DistanceSummary, 2>& summaries, vtkTable* table)
+{
+  vtkNew<vtkStringArray> directions;
+  directions->SetName("direction");
+  vtkNew<vtkLongLongArray> points;
+  points->SetName("points");
+  const auto rms = column("rms_mm"), mean = column("mean_mm"), maximum = column("max_mm"), area = column("area_mm2");
+  for (int i = 0; i < 2; ++i)
+  {
+    directions->InsertNextValue(directionNames[i]);
+    rms->InsertNextValue(summaries[i].rms);
+    mean->InsertNextValue(summaries[i].mean);
+    maximum->InsertNextValue(summaries[i].maximum);
+    area->InsertNextValue(summaries[i].area);
+    points->InsertNextValue(summaries[i].points);
+  }
+  table->AddColumn(directions);
+  for (const auto& array : { rms, mean, maximum, area })
+    table->AddColumn(array);
+  table->AddColumn(points);
+}
+
+void fillOutput(const Side& side, vtkPolyData* output)
+{
+  output->ShallowCopy(side.surface);
+  const auto distances = column("Distance");
+  distances->SetNumberOfTuples(side.surface->GetNumberOfPoints());
+  std::copy(side.distances.begin(), side.distances.end(), distances->GetPointer(0));
+  output->GetPointData()->AddArray(distances);
+}
+
+/// @return nothing, or one sentence that says why the data are no surface
+std::string readSide(vtkDataObject* data, int port, bool largestOnly, Side& side)
+{
+  side.surface = mien::visibleSurface(data);
+  if (side.surface && largestOnly)
+    side.surface = mien::largestComponent(side.surface);
+  side.triangles = side.surface ? mien::trianglesOf(side.surface) : nullptr;
+  const std::string fault = mien::describeFault(side.triangles, portNames[port]);
+  if (fault.empty())
+    side.areas = mien::pointAreas(side.triangles);
+  return fault;
+}
+
+mien::DistanceSummary sumUp(const Side& side, double threshold)
+{
+  return mien::summarize(side.distances, side.areas,
+    [&](size_t i) { return side.areas[i] > 0.0 && side.triangles->GetPoint(i)[2] > threshold; });
+}
+
+} // namespace
+
+struct vtkSurfaceDistanceFilter::Internals
+{
+  std::array<mien::DistanceSummary, 2> summaries;
+
+  /// Distances of one side's points to the other side; false when aborted.
+  static bool measure(Side& from, const Side& to, bool withSign, double progress, vtkAlgorithm* self)
+  {
+    const mien::SurfaceDistance distance(to.triangles);
+    const vtkIdType count = from.triangles->GetNumberOfPoints();
+    from.distances.resize(count);
+    for (vtkIdType begin = 0; begin < count; begin += pointsPerSlab)
+    {
+      if (self->GetAbortExecute())
+        return false;
+      const vtkIdType end = std::min(count, begin + pointsPerSlab);
+      vtkSMPTools::For(begin, end, pointsPerTask, [&](vtkIdType first, vtkIdType last) {
+        double point[3];
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          from.triangles->GetPoint(i, point);
+          from.distances[i] = distance(point, withSign);
+        }
+      });
+      self->UpdateProgress(progress + 0.5 * end / count);
+    }
+    return !self->GetAbortExecute();
+  }
+};
+
+vtkSurfaceDistanceFilter::vtkSurfaceDistanceFilter()
+  : Impl(new Internals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkSurfaceDistanceFilter::~vtkSurfaceDistanceFilter() = default;
+
+double vtkSurfaceDistanceFilter::GetRMSDistance(int direction) const
+{
+  return this->Impl->summaries[direction != 0].rms;
+}
+
+double vtkSurfaceDistanceFilter::GetMeanDistance(int direction) const
+{
+  return this->Impl->summaries[direction != 0].mean;
+}
+
+double vtkSurfaceDistanceFilter::GetMaximumDistance(int direction) const
+{
+  return this->Impl->summaries[direction != 0].maximum;
+}
+
+int vtkSurfaceDistanceFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
+  return 1;
+}
+
+int vtkSurfaceDistanceFilter::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == portOfTable ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+// Every piece of the output needs both whole inputs: the nearest point can lie anywhere.
+int vtkSurfaceDistanceFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkInformation* info = inputs[port]->GetInformationObject(0);
+    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    if (info->Has(Pipeline::WHOLE_EXTENT()))
+      info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkSurfaceDistanceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Impl->summaries = {};
+  std::array<Side, 2> sides;
+  for (int port = 0; port < 2; ++port)
+  {
+    const std::string fault =
+      readSide(vtkDataObject::GetData(inputs[port]), port, port == 1 && this->LargestComponentOnly, sides[port]);
+    if (!fault.empty())
+      return this->Refuse(fault);
+  }
+  std::array<mien::DistanceSummary, 2> summaries;
+  for (int port = 0; port < 2; ++port)
+  {
+    if (!Internals::measure(sides[port], sides[1 - port], this->Signed, 0.5 * port, this))
+      return 1;
+    summaries[port] = sumUp(sides[port], this->FrontalOnly ? this->FrontalThreshold : everywhere);
+    if (summaries[port].points == 0)
+      return this->Refuse("no point of the " + std::string(portNames[port]) + " lies at z > " +
+        vtkVariant(this->FrontalThreshold).ToString() + " mm; lower the frontal threshold");
+  }
+  this->Impl->summaries = summaries;
+  for (int port = 0; port < 2; ++port)
+    fillOutput(sides[port], vtkPolyData::GetData(outputs, port));
+  fillTable(summaries, vtkTable::GetData(outputs, portOfTable));
+  return 1;
+}
+
+int vtkSurfaceDistanceFilter::Refuse(const std::string& fault)
+{
+  vtkErrorMacro(<< fault);
+  return 0;
+}
+
+void vtkSurfaceDistanceFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FrontalOnly: " << this->FrontalOnly << "\n";
+  os << indent << "FrontalThreshold: " << this->FrontalThreshold << "\n";
+  os << indent << "Signed: " << this->Signed << "\n";
+  os << indent << "LargestComponentOnly: " << this->LargestComponentOnly << "\n";
+}

@@ -1,0 +1,244 @@
+#include "vtkSurfaceDistanceFilter.h"
+
+#include "ErrorCounter.h"
+#include "ReferenceData.h"
+#include "SurfaceDistance.h"
+#include "SurfaceMesh.h"
+
+#include "vtkBoundaryCurveReader.h"
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPDEFaceFilter.h"
+#include "vtkPLYReader.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+#include "vtkTable.h"
+#include "vtkTriangle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+vtkSmartPointer<vtkPolyData> sphere(double radius, int resolution = 32) {
+  vtkNew<vtkSphereSource> source;
+  source->SetRadius(radius);
+  source->SetThetaResolution(resolution);
+  source->SetPhiResolution(resolution);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  return source->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> plane(double size, double height, int resolution) {
+  vtkNew<vtkPlaneSource> source;
+  source->SetOrigin(-size, -size, height);
+  source->SetPoint1(size, -size, height);
+  source->SetPoint2(-size, size, height);
+  source->SetResolution(resolution, resolution);
+  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  source->Update();
+  return source->GetOutput();
+}
+
+struct Comparison {
+  vtkNew<vtkSurfaceDistanceFilter> filter;
+  ErrorCounter errors{filter};
+
+  Comparison(vtkDataObject* surface, vtkDataObject* reference) {
+    filter->SetInputData(surface);
+    filter->SetReferenceData(reference);
+  }
+  vtkDataArray* distances(int port = 0) {
+    return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port))->GetPointData()->GetArray("Distance");
+  }
+};
+
+}  // namespace
+
+TEST(SurfaceDistanceFilter, ShiftedPlanesAreExactlyApart) {
+  Comparison planes(plane(10.0, 3.5, 7), plane(20.0, 1.0, 5));
+  planes.filter->SetSigned(true);
+  planes.filter->Update();
+  EXPECT_EQ(planes.errors.count(), 0);
+  EXPECT_NEAR(planes.filter->GetRMSDistance(0), 2.5, 1e-12);
+  EXPECT_NEAR(planes.filter->GetMaximumDistance(0), 2.5, 1e-12);
+  EXPECT_NEAR(planes.filter->GetMeanDistance(0), 2.5, 1e-12);
+  double range[2];
+  planes.distances()->GetRange(range);
+  EXPECT_NEAR(range[0], 2.5, 1e-12);
+  // The corners of the larger plane overhang by 10 mm both ways.
+  EXPECT_NEAR(planes.filter->GetMaximumDistance(1), std::sqrt(200.0 + 6.25), 1e-12);
+  planes.distances(1)->GetRange(range);
+  EXPECT_LT(range[1], 0.0);
+}
+
+TEST(SurfaceDistanceFilter, ConcentricSpheresAreTheDifferenceOfTheirRadiiApart) {
+  Comparison spheres(sphere(12.0), sphere(10.0));
+  spheres.filter->Update();
+  EXPECT_NEAR(spheres.filter->GetRMSDistance(0), 2.0, 1e-9);  // the nearest point is the corner below
+  EXPECT_NEAR(spheres.filter->GetMaximumDistance(0), 2.0, 1e-9);
+  double error = 0.0;
+  for (const int resolution : {32, 64, 128}) {  // facets of the outer sphere lie inside of it by O(h^2)
+    Comparison finer(sphere(12.0, resolution), sphere(10.0, resolution));
+    finer.filter->Update();
+    const double now = std::abs(finer.filter->GetRMSDistance(1) - 2.0);
+    if (error > 0.0) {
+      EXPECT_NEAR(error / now, 4.0, 0.5) << resolution;
+    }
+    error = now;
+  }
+}
+
+TEST(SurfaceDistanceFilter, SignsTellInsideFromOutside) {
+  const auto ball = sphere(10.0, 12);
+  const auto triangles = mien::trianglesOf(ball);
+  const mien::SurfaceDistance distance(triangles);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-14.0, 14.0);
+  for (int i = 0; i < 3000; ++i) {
+    const double p[3] = {coordinate(random), coordinate(random), coordinate(random)};
+    const double radius = std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    if (radius > 10.0) {
+      EXPECT_GT(distance(p, true), 0.0);
+    } else if (radius < 9.3) {  // within every facet
+      EXPECT_LT(distance(p, true), 0.0);
+    }
+  }
+}
+
+TEST(SurfaceDistanceFilter, FindsTheNearestPointThatSearchingAllTrianglesFinds) {
+  const auto triangles = mien::trianglesOf(sphere(10.0, 20));
+  const mien::SurfaceDistance distance(triangles);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> coordinate(-40.0, 40.0);
+  for (int i = 0; i < 300; ++i) {
+    double p[3] = {coordinate(random), coordinate(random), coordinate(random)}, closest[3], local[3], shares[3], squared = 0.0, best = 1e9;
+    int part = 0;
+    for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
+      if (triangles->GetCell(cell)->EvaluatePosition(p, closest, part, local, squared, shares) >= 0) best = std::min(best, squared);
+    EXPECT_NEAR(distance(p, false), std::sqrt(best), 1e-9);
+  }
+}
+
+TEST(SurfaceDistanceFilter, WeightsWithAreaSoThatTriangulationDoesNotDecide) {
+  // Half of the area is 1 mm, half 3 mm away; the far half has 100 times the cells.
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkPolyData> surface;
+  surface->AllocateExact(101, 4);
+  const auto strip = [&](double x, double z, int cells) {
+    for (int i = 0; i < cells; ++i) {
+      const double begin = 10.0 * i / cells, end = 10.0 * (i + 1) / cells;
+      vtkIdType ids[4];
+      ids[0] = points->InsertNextPoint(x, begin, z);
+      ids[1] = points->InsertNextPoint(x + 5.0, begin, z);
+      ids[2] = points->InsertNextPoint(x + 5.0, end, z);
+      ids[3] = points->InsertNextPoint(x, end, z);
+      surface->InsertNextCell(VTK_QUAD, 4, ids);
+    }
+  };
+  strip(-10.0, 1.0, 1);
+  strip(5.0, 3.0, 100);
+  surface->SetPoints(points);
+  Comparison halves(surface, plane(100.0, 0.0, 3));
+  halves.filter->Update();
+  EXPECT_NEAR(halves.filter->GetMeanDistance(), 2.0, 1e-6);
+  EXPECT_NEAR(halves.filter->GetRMSDistance(), std::sqrt(5.0), 1e-6);
+  EXPECT_EQ(halves.filter->GetMaximumDistance(), 3.0);
+  halves.filter->SetFrontalOnly(true);
+  halves.filter->SetFrontalThreshold(2.0);
+  halves.filter->Update();
+  EXPECT_EQ(halves.filter->GetOutput()->GetNumberOfPoints(), 0);  // of the reference nothing is in front of 2 mm
+  EXPECT_NE(halves.errors.first().find("z > 2 mm"), std::string::npos);
+}
+
+TEST(SurfaceDistanceFilter, TakesVisibleCellsOfAGridAndTurnsThemOutwards) {
+  vtkNew<vtkBoundaryCurveReader> curves;
+  vtkNew<vtkPDEFaceFilter> face;
+  face->SetInputConnection(curves->GetOutputPort());
+  vtkNew<vtkSurfaceDistanceFilter> filter;
+  filter->SetInputConnection(face->GetOutputPort());
+  filter->SetReferenceData(sphere(1.0));  // inside the head
+  filter->SignedOn();
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPolys(), 0);
+  EXPECT_LT(filter->GetOutput()->GetNumberOfPolys(), 55 * 40);
+  double range[2];
+  filter->GetOutput()->GetPointData()->GetArray("Distance")->GetRange(range);
+  EXPECT_GT(range[0], 0.0);
+  vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1))->GetPointData()->GetArray("Distance")->GetRange(range);
+  EXPECT_LT(range[1], 0.0);
+  EXPECT_EQ(vtkTable::SafeDownCast(filter->GetOutputDataObject(2))->GetNumberOfRows(), 2);
+}
+
+TEST(SurfaceDistanceFilter, ThreadsDoNotChangeTheNumbers) {
+  const auto measured = [](int threads) {
+    vtkSMPTools::Initialize(threads);
+    Comparison spheres(sphere(12.0, 100), sphere(10.0, 60));
+    spheres.filter->Update();
+    return spheres.filter->GetRMSDistance();
+  };
+  const double one = measured(1), two = measured(2);
+  vtkSMPTools::Initialize(0);
+  EXPECT_EQ(one, two);
+}
+
+TEST(SurfaceDistanceFilter, RefusesWhatIsNoSurface) {
+  vtkNew<vtkPolyData> nothing;
+  Comparison empty(sphere(1.0), nothing);
+  empty.filter->Update();
+  EXPECT_NE(empty.errors.first().find("reference mesh has no polygons"), std::string::npos);
+  EXPECT_EQ(empty.filter->GetOutput()->GetNumberOfPoints(), 0);
+  const auto broken = sphere(1.0);
+  broken->GetPoints()->SetPoint(7, 0.0, std::nan(""), 0.0);
+  Comparison notFinite(broken, sphere(1.0));
+  notFinite.filter->Update();
+  EXPECT_NE(notFinite.errors.first().find("point 7 of the surface"), std::string::npos);
+}
+
+TEST(SurfaceDistanceFilter, AnAbortedUpdateLeavesNoHalfOutput) {
+  Comparison spheres(sphere(12.0, 200), sphere(10.0));
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  spheres.filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  spheres.filter->Update();
+  EXPECT_EQ(spheres.filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(spheres.filter->GetRMSDistance(), 0.0);
+}
+
+// The figures of the generic face at 224 x 160, a = 1, N = 5, in front of z = 50 mm, against skin and eyeballs.
+TEST(SurfaceDistanceFilter, TheGenericFaceLiesOnTheMeanHead) {
+  MIEN_REQUIRE_REFERENCE("heads/mean_neutral.ply");
+  vtkNew<vtkPLYReader> head;
+  head->SetFileName(referencePath("heads/mean_neutral.ply").c_str());
+  vtkNew<vtkBoundaryCurveReader> curves;
+  vtkNew<vtkPDEFaceFilter> face;
+  face->SetInputConnection(curves->GetOutputPort());
+  face->SetResolution(224, 160);
+  vtkNew<vtkSurfaceDistanceFilter> filter;
+  filter->SetInputConnection(face->GetOutputPort());
+  filter->SetReferenceConnection(head->GetOutputPort());
+  filter->FrontalOnlyOn();
+  const auto rms = [&](const char* scheme) {
+    face->SetScheme(scheme);
+    filter->Update();
+    RecordProperty(scheme, std::to_string(filter->GetRMSDistance(0)) + " maximum " + std::to_string(filter->GetMaximumDistance(0)) +
+                               ", back " + std::to_string(filter->GetRMSDistance(1)));
+    return filter->GetRMSDistance(0);
+  };
+  EXPECT_LE(rms("spline"), 0.60);
+  EXPECT_LE(rms("tangent"), 0.65);
+  EXPECT_LE(rms("four-curve"), 0.75);
+  filter->LargestComponentOnlyOn();
+  const double withEyes = filter->GetMaximumDistance(1);
+  EXPECT_LE(rms("spline"), 0.60);
+  RecordProperty("skin", filter->GetMaximumDistance(1));
+  EXPECT_LE(filter->GetMaximumDistance(1), withEyes);
+}
