@@ -1,31 +1,126 @@
 #include "FacePipeline.h"
 
+#include "BoundaryCurveData.h"
+#include "FAPSequence.h"
+#include "FAPUnits.h"
 #include "FaceLayout.h"
 #include "PipelineErrors.h"
 
 #include "vtkBoundaryCurveReader.h"
+#include "vtkFAPAnimationFilter.h"
+#include "vtkFAPReader.h"
 #include "vtkGeometryFilter.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
+#include "vtkPassThrough.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <sstream>
+
 namespace mien {
+
+namespace {
+
+constexpr int smallestAnimatedCurve = 32;  // points
+
+bool isAnimated(const FaceState& state)
+{
+  const auto moves = [](const auto& fap) { return fap.second != 0.0; };
+  return !state.fapFile.empty() || !state.expression.empty() ||
+    std::any_of(state.fapValues.begin(), state.fapValues.end(), moves);
+}
+
+/// Whether the face has the feature points and the number of points that animation needs.
+bool canBeAnimated(vtkPolyData* curves)
+{
+  FaceCurves face;
+  FAPUnits units;
+  return readFaceCurves(curves, face).empty() && measureFAPUnits(face, units).empty() &&
+    face.curves.pointsPerCurve >= smallestAnimatedCurve;
+}
+
+} // namespace
 
 struct FacePipeline::Internals
 {
   FaceState state;
   vtkNew<vtkBoundaryCurveReader> reader;
+  vtkNew<vtkFAPReader> frames;
+  vtkNew<vtkFAPAnimationFilter> animation;
+  vtkNew<vtkPassThrough> curves;
   vtkNew<vtkPDEFaceFilter> face;
   vtkNew<vtkGeometryFilter> surface;
   PipelineErrors errors;
 
   Internals()
   {
-    face->SetInputConnection(reader->GetOutputPort());
+    animation->SetInputConnection(reader->GetOutputPort());
+    curves->SetInputConnection(animation->GetOutputPort());
+    face->SetInputConnection(curves->GetOutputPort());
     surface->SetInputConnection(face->GetOutputPort());
-    for (vtkAlgorithm* algorithm : { static_cast<vtkAlgorithm*>(reader), static_cast<vtkAlgorithm*>(face),
-           static_cast<vtkAlgorithm*>(surface) })
+    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{ reader, frames, animation, curves, face, surface })
       errors.observe(algorithm);
+  }
+
+  /// A face without feature points is still a face: while nothing moves it goes around the animation.
+  void chooseCurves()
+  {
+    const bool around = !isAnimated(state) && !canBeAnimated(reader->GetOutput());
+    curves->SetInputConnection((around ? static_cast<vtkAlgorithm*>(reader) : animation)->GetOutputPort());
+  }
+
+  void setMotion()
+  {
+    frames->SetFileName(state.fapFile.empty() ? nullptr : state.fapFile.c_str());
+    animation->SetFAPConnection(state.fapFile.empty() ? nullptr : frames->GetOutputPort());
+    for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
+    {
+      const auto found = state.fapValues.find(fap);
+      animation->SetFAP(fap, found == state.fapValues.end() ? 0.0 : found->second);
+    }
+    for (const std::string& name : vtkFAPAnimationFilter::GetExpressionNames())
+      animation->SetExpression(name, name == state.expression ? state.expressionIntensity : 0.0);
+  }
+
+  std::string describeExpressionFault() const
+  {
+    const std::vector<std::string> names = vtkFAPAnimationFilter::GetExpressionNames();
+    if (state.expression.empty() || std::find(names.begin(), names.end(), state.expression) != names.end())
+      return {};
+    std::string all;
+    for (const std::string& name : names)
+      all += (all.empty() ? "" : ", ") + name;
+    return "there is no expression '" + state.expression + "'; there are " + all;
+  }
+
+  /// Makes the reader give the frame that the state chooses. @return nothing, or why there is none
+  std::string chooseFrame()
+  {
+    if (state.fapFile.empty())
+      return {};
+    using Choice = FaceState::FrameChoice;
+    int index = static_cast<int>(std::min<double>(state.frame, frames->GetNumberOfFrames()));
+    if (state.frameChoice == Choice::Number)
+      index = frames->GetIndexOfFrameNumber(state.frame);
+    else if (state.frameChoice == Choice::Time)
+      index = static_cast<int>(frames->GetSequence().indexAtTime(state.frame));
+    if (index < 0 || index >= frames->GetNumberOfFrames())
+      return this->describeMissingFrame();
+    frames->SetFrameIndex(index);
+    return {};
+  }
+
+  std::string describeMissingFrame() const
+  {
+    const std::vector<FAPFrame>& all = frames->GetSequence().frames;
+    std::ostringstream text;
+    text << state.fapFile << ": there is no frame ";
+    if (state.frameChoice == FaceState::FrameChoice::Number)
+      text << "with number " << state.frame << "; numbers run from " << all.front().number << " to " << all.back().number;
+    else
+      text << "with index " << state.frame << "; indices run from 0 to " << all.size() - 1;
+    return text.str();
   }
 
   void setSurface(const FaceSurfaceOptions& options)
@@ -45,15 +140,51 @@ struct FacePipeline::Internals
     face->SetOutputPointsPrecision(state.doublePrecision ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::SINGLE_PRECISION);
   }
 
-  /// After a failure VTK does not run a filter again until it is modified.
-  std::string update(vtkAlgorithm* algorithm)
+  /// Reads the curves and what the animation file holds.
+  std::string readInputs()
   {
     errors.clear();
-    algorithm->Update();
+    reader->Update();
+    if (errors.first().empty() && !state.fapFile.empty())
+      frames->UpdateInformation();
+    this->chooseCurves();
+    return this->afterUpdate();
+  }
+
+  /// After a failure VTK does not run a filter again until it is modified.
+  std::string afterUpdate()
+  {
     const std::string fault = errors.first();
     if (!fault.empty())
+    {
       reader->Modified();
+      frames->Modified();
+    }
     return fault;
+  }
+
+  int pointsPerCurve()
+  {
+    return static_cast<int>(reader->GetOutput()->GetNumberOfPoints() / FaceLayout::curveCount);
+  }
+
+  std::string describeValueFault()
+  {
+    std::string fault = describeFault(state, this->pointsPerCurve());
+    if (fault.empty())
+      fault = this->describeExpressionFault();
+    return fault.empty() ? this->chooseFrame() : fault;
+  }
+
+  std::string update(vtkAlgorithm* algorithm)
+  {
+    std::string fault = this->readInputs();
+    if (fault.empty())
+      fault = this->describeValueFault();
+    if (!fault.empty())
+      return fault;
+    algorithm->Update();
+    return this->afterUpdate();
   }
 };
 
@@ -69,6 +200,7 @@ void FacePipeline::setState(const FaceState& state)
 {
   this->Impl->state = state;
   this->Impl->reader->SetFileName(state.curvesFile.empty() ? nullptr : state.curvesFile.c_str());
+  this->Impl->setMotion();
   this->Impl->setSurface(state.surface);
   this->Impl->setGrid();
 }
@@ -83,9 +215,19 @@ vtkBoundaryCurveReader* FacePipeline::neutralCurves() const
   return this->Impl->reader;
 }
 
+vtkFAPReader* FacePipeline::frames() const
+{
+  return this->Impl->frames;
+}
+
+vtkFAPAnimationFilter* FacePipeline::animation() const
+{
+  return this->Impl->animation;
+}
+
 vtkAlgorithm* FacePipeline::curves() const
 {
-  return this->Impl->reader;
+  return this->Impl->curves;
 }
 
 vtkPDEFaceFilter* FacePipeline::face() const
@@ -100,13 +242,22 @@ vtkAlgorithm* FacePipeline::surface() const
 
 std::string FacePipeline::updateNeutralCurves()
 {
-  return this->Impl->update(this->Impl->reader);
+  return this->Impl->readInputs();
+}
+
+std::string FacePipeline::describeValueFault()
+{
+  return this->Impl->describeValueFault();
 }
 
 int FacePipeline::pointsPerCurve() const
 {
-  vtkPolyData* curves = this->Impl->reader->GetOutput();
-  return static_cast<int>(curves->GetNumberOfPoints() / FaceLayout::curveCount);
+  return this->Impl->pointsPerCurve();
+}
+
+std::string FacePipeline::updateCurves()
+{
+  return this->Impl->update(this->Impl->curves);
 }
 
 std::string FacePipeline::update()

@@ -9,10 +9,13 @@
 
 class vtkAlgorithm;
 class vtkBoundaryCurveReader;
+class vtkFAPAnimationFilter;
+class vtkFAPReader;
 class vtkPDEFaceFilter;
 
 /// The VTK pipeline that shows a FaceState, for every program:
-///   vtkBoundaryCurveReader --> vtkPDEFaceFilter --> vtkGeometryFilter
+///   vtkBoundaryCurveReader --> vtkFAPAnimationFilter --> vtkPDEFaceFilter --> vtkGeometryFilter
+///   vtkFAPReader (when there is a file) --^
 ///
 /// Setting a state touches only the filters whose properties differ, so that the next update does no more than it must.
 /// Errors are kept, not printed: update() returns them.
@@ -30,15 +33,24 @@ public:
   const FaceState& state() const;
 
   vtkBoundaryCurveReader* neutralCurves() const;
+  vtkFAPReader* frames() const;              ///< the animation file's; empty until a state with a file was updated
+  vtkFAPAnimationFilter* animation() const;
   vtkAlgorithm* curves() const;    ///< vtkPolyData, the boundary curves as animated
   vtkPDEFaceFilter* face() const;  ///< vtkStructuredGrid with the mouth slit blanked
   vtkAlgorithm* surface() const;   ///< vtkPolyData for mappers, locators and writers: without the slit; wound inwards as the grid
 
-  /// Reads the curves alone; what is wrong with them or their file, or nothing.
+  /// Reads the curves, and what the animation file holds; what is wrong with the files, or nothing.
   std::string updateNeutralCurves();
+
+  /// After updateNeutralCurves(): which property of the state does not fit the curves or the animation file, and what
+  /// is allowed; or nothing.
+  std::string describeValueFault();
 
   /// Points per curve (K) after updateNeutralCurves(), 0 without curves.
   int pointsPerCurve() const;
+
+  /// Brings the animated curves up to date; the first error on the way as one sentence, or nothing.
+  std::string updateCurves();
 
   /// Brings the surface up to date; the first error on the way as one sentence, or nothing.
   std::string update();
