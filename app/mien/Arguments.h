@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mien {
+
+/// Reading the values of options. Each throws a ValueFailure that names the option, its value and what is allowed.
+
+/// A finite number, in the C locale whatever the user's is.
+double parseNumber(const std::string& option, const std::string& text);
+
+/// A whole number.
+int parseWholeNumber(const std::string& option, const std::string& text);
+
+/// The parts between separators; an empty text has one empty part.
+std::vector<std::string> splitText(const std::string& text, char separator);
+
+/// "56x40": two whole numbers from 1 up.
+std::pair<int, int> parseSize(const std::string& option, const std::string& text);
+
+}  // namespace mien

@@ -1,0 +1,51 @@
+#include "ColorMap.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkLookupTable.h"
+#include "vtkNew.h"
+#include "vtkVariant.h"
+
+#include <iterator>
+#include <string>
+
+namespace mien {
+
+namespace {
+
+constexpr int viridis[] = {0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
+constexpr int muted[] = {0x332288, 0x88ccee, 0x44aa99, 0x117733, 0x999933, 0xddcc77, 0xcc6677, 0x882255, 0xaa4499};
+constexpr int steps = 256;
+
+double part(int color, int shift) { return ((color >> shift) & 0xff) / 255.0; }
+
+}  // namespace
+
+vtkSmartPointer<vtkLookupTable> sequentialColors(double smallest, double largest) {
+  vtkNew<vtkColorTransferFunction> function;
+  const int last = static_cast<int>(std::size(viridis)) - 1;
+  for (int i = 0; i <= last; ++i)
+    function->AddRGBPoint(static_cast<double>(i) / last, part(viridis[i], 16), part(viridis[i], 8), part(viridis[i], 0));
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  table->SetNumberOfTableValues(steps);
+  for (int i = 0; i < steps; ++i) {
+    double color[3];
+    function->GetColor(i / (steps - 1.0), color);
+    table->SetTableValue(i, color[0], color[1], color[2], 1.0);
+  }
+  table->SetRange(smallest, largest);
+  return table;
+}
+
+vtkSmartPointer<vtkLookupTable> patchColors() {
+  auto table = vtkSmartPointer<vtkLookupTable>::New();
+  const int count = static_cast<int>(std::size(muted));
+  table->SetNumberOfTableValues(count);
+  table->IndexedLookupOn();
+  for (int i = 0; i < count; ++i) {
+    table->SetTableValue(i, part(muted[i], 16), part(muted[i], 8), part(muted[i], 0), 1.0);
+    table->SetAnnotation(vtkVariant(i), "P" + std::to_string(i));
+  }
+  return table;
+}
+
+}  // namespace mien

@@ -1,0 +1,17 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace mien {
+
+/// Each command is one file, which adds itself to the program: its options, its help with an example, what it does.
+/// What goes wrong is thrown as a Failure.
+void addInfoCommand(CLI::App& program);
+void addSurfaceCommand(CLI::App& program);
+void addCurvesCommand(CLI::App& program);
+void addPatchCommand(CLI::App& program);
+void addRenderCommand(CLI::App& program);
+
+}  // namespace mien

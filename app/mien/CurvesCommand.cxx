@@ -1,0 +1,81 @@
+#include "BoundaryCurveData.h"
+#include "Command.h"
+#include "CsvText.h"
+#include "FaceLayout.h"
+#include "FaceOptions.h"
+#include "FacePipeline.h"
+#include "Failure.h"
+#include "OutputFile.h"
+#include "Remarks.h"
+#include "PipelineErrors.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataWriter.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace mien {
+
+namespace {
+
+struct Options {
+  FaceOptions face;
+  std::string output;
+};
+
+std::string curveTable(const ClosedCurves& curves) {
+  std::string text = "curve,point,x,y,z\n";
+  for (int index = 0; index < curves.count; ++index)
+    for (int j = 0; j < curves.pointsPerCurve; ++j)
+      text += FaceLayout::curveName(index) + "," + std::to_string(j) +
+              coordinatesEndingLine(curves.points.row(index * curves.pointsPerCurve + j).data());
+  return text;
+}
+
+void writeTable(vtkPolyData* data, const std::string& name) {
+  FaceCurves face;
+  const std::string fault = readFaceCurves(data, face);
+  if (!fault.empty()) throw FileFailure(name + ": " + fault);
+  OutputFile::write(name, curveTable(face.curves));
+}
+
+void writePolyData(vtkPolyData* data, const std::string& name) {
+  OutputFile file(name);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  PipelineErrors errors;
+  errors.observe(writer);
+  writer->SetFileName(file.temporaryName().c_str());
+  writer->SetDataModeToBinary();
+  writer->SetInputDataObject(data);
+  if (!writer->Write() || !errors.first().empty()) throw FileFailure(name + ": cannot be written");
+  file.commit();
+}
+
+void run(const Options& options) {
+  requireEnding(options.output, {"vtp", "csv"});
+  FacePipeline pipeline;
+  options.face.apply(pipeline);
+  const std::string fault = pipeline.updateCurves();
+  if (!fault.empty()) throw FileFailure(fault);
+  printRemarks(pipeline);
+  auto* data = vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0));
+  fileEnding(options.output) == "csv" ? writeTable(data, options.output) : writePolyData(data, options.output);
+}
+
+}  // namespace
+
+void addCurvesCommand(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("curves", "Write the boundary curves of a face, animated or not");
+  command->add_option("-o,--output", options->output, "File to write: .vtp .csv")->required();
+  options->face.addAll(*command);
+  command->footer(
+      "Example: mien curves --fap speech.fap --time 1.5 -o curves.csv\n"
+      "A .vtp file can be given to --face; .csv has the columns curve,point,x,y,z (mm).");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace mien

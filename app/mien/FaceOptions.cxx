@@ -1,0 +1,141 @@
+#include "FaceOptions.h"
+
+#include "Arguments.h"
+#include "FacePipeline.h"
+#include "FaceScheme.h"
+#include "Failure.h"
+
+#include <CLI/CLI.hpp>
+
+namespace mien {
+
+namespace {
+
+std::string schemeHelp() {
+  std::string names;
+  for (const FaceScheme& scheme : faceSchemes()) names += (names.empty() ? "" : ", ") + scheme.name;
+  return "How patches are closed: " + names + " [" + FaceState().surface.scheme + "]";
+}
+
+}  // namespace
+
+void FaceOptions::addSurfaceOptions(CLI::App& command) {
+  const auto add = [&](const char* name, std::string& value, const std::string& help) {
+    command.add_option(name, value, help)->group("Face");
+  };
+  add("--face", face_, "Boundary curves, FILE.vtp [the generic face]");
+  add("--scheme", scheme_, schemeHelp());
+  add("-a,--smoothing", smoothing_, "Smoothing parameter a, 0 < a <= 1000: one value, or nine with commas [1]");
+  add("-N,--harmonics", harmonics_, "Fourier modes solved exactly, 0 .. K/2 [5]");
+  command.add_flag("--no-remainder", noRemainder_, "Leave out the harmonics above N")->group("Face");
+  add("--resolution", resolution_, "Rows x columns of the uv mesh [56x40; shaded pictures 164x160]");
+  command.add_flag("--uniform-rows", uniformRows_, "Rows at equal u, not dealt to the curves")->group("Face");
+  add("--derivative-strength", derivativeStrength_, "Factor on derivative conditions [1]");
+  add("--precision", precision_, "single or double [single]");
+}
+
+void FaceOptions::addAnimationOptions(CLI::App& command) {
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    return command.add_option(name, value, help)->group("Animation");
+  };
+  CLI::Option* fap = add("--fap", fap_, "Facial animation parameters, FILE.fap; the first frame without a choice");
+  CLI::Option* frame = add("--frame", frame_, "Frame number as written in the file")->needs(fap);
+  CLI::Option* index = add("--index", index_, "Frame counted from 0")->needs(fap)->excludes(frame);
+  add("--time", time_, "Time in seconds")->needs(fap)->excludes(frame)->excludes(index);
+  add("--expression", expression_, "Expression with intensity 0 .. 1, such as joy or joy:0.8");
+  add("--set", set_, "FAP values, such as 53=200,54=200; they add to those of the file");
+}
+
+void FaceOptions::addAll(CLI::App& command) {
+  addSurfaceOptions(command);
+  addAnimationOptions(command);
+}
+
+void FaceOptions::setDefaultResolution(int rows, int columns) {
+  defaultRows_ = rows;
+  defaultColumns_ = columns;
+}
+
+FaceState FaceOptions::state() const {
+  FaceState state;
+  state.curvesFile = face_.empty() ? defaultFace_ : face_;
+  fillSurface(state);
+  fillGrid(state);
+  fillFrame(state);
+  fillExpression(state);
+  fillFAPValues(state);
+  return state;
+}
+
+void FaceOptions::fillSurface(FaceState& state) const {
+  if (!scheme_.empty()) state.surface.scheme = scheme_;
+  if (!harmonics_.empty()) state.surface.modes = parseWholeNumber("--harmonics", harmonics_);
+  if (!derivativeStrength_.empty())
+    state.surface.derivativeStrength = parseNumber("--derivative-strength", derivativeStrength_);
+  state.surface.remainder = !noRemainder_;
+  if (smoothing_.empty()) return;
+  const std::vector<std::string> values = splitText(smoothing_, ',');
+  auto& a = state.surface.smoothing;
+  if (values.size() != 1 && values.size() != a.size())
+    throw ValueFailure("-a has " + std::to_string(values.size()) + " values; give one, or one for each of the " +
+                       std::to_string(a.size()) + " patches");
+  for (size_t patch = 0; patch < a.size(); ++patch) a[patch] = parseNumber("-a", values[values.size() == 1 ? 0 : patch]);
+}
+
+void FaceOptions::fillGrid(FaceState& state) const {
+  state.rows = defaultRows_;
+  state.columns = defaultColumns_;
+  if (!resolution_.empty()) std::tie(state.rows, state.columns) = parseSize("--resolution", resolution_);
+  state.uniformRows = uniformRows_;
+  if (!precision_.empty() && precision_ != "single" && precision_ != "double")
+    throw ValueFailure("--precision '" + precision_ + "' is unknown; it is single or double");
+  state.doublePrecision = precision_ == "double";
+}
+
+void FaceOptions::fillFrame(FaceState& state) const {
+  state.fapFile = fap_;
+  if (!frame_.empty()) {
+    state.frameChoice = FaceState::FrameChoice::Number;
+    state.frame = parseNumber("--frame", frame_);
+  } else if (!index_.empty()) {
+    state.frame = parseWholeNumber("--index", index_);
+  } else if (!time_.empty()) {
+    state.frameChoice = FaceState::FrameChoice::Time;
+    state.frame = parseNumber("--time", time_);
+  }
+}
+
+void FaceOptions::fillExpression(FaceState& state) const {
+  if (expression_.empty()) return;
+  const size_t colon = expression_.find(':');
+  state.expression = expression_.substr(0, colon);
+  if (colon != std::string::npos) state.expressionIntensity = parseNumber("--expression", expression_.substr(colon + 1));
+}
+
+void FaceOptions::fillFAPValues(FaceState& state) const {
+  if (set_.empty()) return;
+  for (const std::string& item : splitText(set_, ',')) {
+    const size_t equals = item.find('=');
+    if (equals == std::string::npos)
+      throw ValueFailure("--set '" + item + "' is no FAP value; write a FAP number and its value as 53=200");
+    const int fap = parseWholeNumber("--set", item.substr(0, equals));
+    if (!state.fapValues.emplace(fap, parseNumber("--set", item.substr(equals + 1))).second)
+      throw ValueFailure("--set gives FAP " + std::to_string(fap) + " twice");
+  }
+}
+
+void FaceOptions::apply(FacePipeline& pipeline) const {
+  const FaceState state = this->state();
+  pipeline.setState(state);
+  const std::string fileFault = pipeline.updateNeutralCurves();
+  if (!fileFault.empty()) throw FileFailure(fileFault);
+  const std::string valueFault = pipeline.describeValueFault();
+  if (!valueFault.empty()) throw ValueFailure(valueFault);
+}
+
+void updateOrThrow(FacePipeline& pipeline) {
+  const std::string fault = pipeline.update();
+  if (!fault.empty()) throw FileFailure(fault);
+}
+
+}  // namespace mien

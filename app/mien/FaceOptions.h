@@ -1,0 +1,54 @@
+#pragma once
+
+#include "FaceState.h"
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace mien {
+
+class FacePipeline;
+
+/// The options that describe a face, the same for all commands that need one: they fill a FaceState.
+class FaceOptions {
+ public:
+  /// The options of the surface: the curves' file, the way between the curves, the uv mesh.
+  void addSurfaceOptions(CLI::App& command);
+
+  /// The options of the moment: FAP file and frame, expression, values set by hand.
+  void addAnimationOptions(CLI::App& command);
+
+  void addAll(CLI::App& command);
+
+  /// The resolution when none is given. Default: that of FaceState.
+  void setDefaultResolution(int rows, int columns);
+
+  /// What the options say. Throws a ValueFailure for text that is no value of its option.
+  FaceState state() const;
+
+  /// Gives the pipeline the state, reads the curves and checks the state against them: a FileFailure or a ValueFailure.
+  void apply(FacePipeline& pipeline) const;
+
+  /// A face to start from in place of the generic one; --face goes before it.
+  void setDefaultFace(const std::string& file) { defaultFace_ = file; }
+
+ private:
+  void fillSurface(FaceState& state) const;
+  void fillGrid(FaceState& state) const;
+  void fillFrame(FaceState& state) const;
+  void fillExpression(FaceState& state) const;
+  void fillFAPValues(FaceState& state) const;
+
+  int defaultRows_ = FaceState().rows, defaultColumns_ = FaceState().columns;
+  std::string defaultFace_, face_, scheme_, smoothing_, harmonics_, resolution_, derivativeStrength_, precision_;
+  std::string fap_, frame_, index_, time_, expression_, set_;
+  bool noRemainder_ = false, uniformRows_ = false;
+};
+
+/// Brings the pipeline's surface up to date; what stops it is a FileFailure.
+void updateOrThrow(FacePipeline& pipeline);
+
+}  // namespace mien

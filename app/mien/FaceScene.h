@@ -1,0 +1,51 @@
+#pragma once
+
+#include "SceneStyle.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+class vtkActor;
+class vtkImageData;
+class vtkPolyDataMapper;
+class vtkRenderWindow;
+class vtkRenderer;
+class vtkReverseSense;
+class vtkScalarBarActor;
+
+namespace mien {
+
+class FacePipeline;
+
+/// A face under three lights, drawn without a window. There must be a display; see VirtualDisplay.
+class FaceScene {
+ public:
+  /// The pipeline must be up to date and outlive the scene. Throws a ValueFailure when the array to colour by is not there.
+  FaceScene(FacePipeline& pipeline, const SceneStyle& style);
+  ~FaceScene();
+
+  /// Draws the pipeline's present surface: unsigned char, 4 components, of the size asked for.
+  vtkSmartPointer<vtkImageData> render();
+
+ private:
+  void addSurface();
+  void addCurves();
+  void updateCurves();
+  void addLights();
+  void addColors();
+  void placeCamera();
+
+  FacePipeline& pipeline_;
+  SceneStyle style_;
+  int factor_;  ///< pixels computed per pixel shown, along each side
+  vtkNew<vtkReverseSense> outwards_;
+  vtkNew<vtkPolyDataMapper> surfaceMapper_;
+  vtkNew<vtkActor> surface_;
+  vtkNew<vtkPolyDataMapper> curveMapper_;
+  vtkNew<vtkActor> curves_;
+  vtkNew<vtkScalarBarActor> bar_;
+  vtkNew<vtkRenderer> renderer_;
+  vtkNew<vtkRenderWindow> window_;
+};
+
+}  // namespace mien

@@ -1,0 +1,134 @@
+#include "AnimationInfo.h"
+#include "BoundaryCurveData.h"
+#include "Command.h"
+#include "FAPUnits.h"
+#include "FaceLayout.h"
+#include "FaceOptions.h"
+#include "FacePipeline.h"
+#include "Failure.h"
+#include "InfoText.h"
+#include "OutputFile.h"
+#include "RowLayout.h"
+
+#include "vtkBoundaryCurveReader.h"
+#include "vtkPolyData.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace mien {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+struct Options {
+  FaceOptions face;
+  std::string file;
+  bool json = false;
+};
+
+constexpr int bytesPerCoordinate = 4;  // curves are kept and sent as single precision
+
+FaceCurves neutralFace(const FacePipeline& pipeline) {
+  FaceCurves face;
+  const std::string fault = readFaceCurves(pipeline.neutralCurves()->GetOutput(), face);
+  if (!fault.empty()) throw FileFailure(fault);
+  return face;
+}
+
+/// Only a face with its feature points has units; why it has none is said on stderr.
+json describeUnits(const FaceCurves& face, const std::string& name) {
+  FAPUnits units;
+  const std::string fault = measureFAPUnits(face, units);
+  if (!fault.empty()) {
+    std::cerr << "mien: " << name << ": " << fault << "; the face cannot be animated\n";
+    return nullptr;
+  }
+  return {{"ES", units.eyeSeparation},
+          {"ENS", units.eyeNoseSeparation},
+          {"MNS", units.mouthNoseSeparation},
+          {"MW", units.mouthWidth},
+          {"IRISD", units.irisDiameter}};
+}
+
+json describeBounds(const ClosedCurves& curves) {
+  json bounds = json::object();
+  const char* const axes[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis)
+    bounds[axes[axis]] = {curves.points.col(axis).minCoeff(), curves.points.col(axis).maxCoeff()};
+  return bounds;
+}
+
+json describeFace(const FacePipeline& pipeline) {
+  const FaceState& state = pipeline.state();
+  const FaceCurves face = neutralFace(pipeline);
+  const std::string name = state.curvesFile.empty() ? "generic face" : state.curvesFile;
+  json description;
+  description["name"] = name;
+  description["curves"] = face.curves.count;
+  description["patches"] = FaceLayout::patchCount;
+  description["points_per_curve"] = face.curves.pointsPerCurve;
+  description["bytes"] = face.curves.points.size() * bytesPerCoordinate;
+  description["units"] = "mm";
+  description["bounds"] = describeBounds(face.curves);
+  description["feature_points"] = face.features.size();
+  description["fapu"] = describeUnits(face, name);
+  description["rows"] = state.rows;
+  description["columns"] = state.columns;
+  description["curves_missed"] = RowLayout(state.rows, state.uniformRows).missedCurves();
+  return description;
+}
+
+void printExtents(const json& bounds) {
+  std::string text;
+  for (const auto& axis : bounds.items())
+    text += (text.empty() ? "" : ", ") + axis.key() + " " + twoDigits(axis.value()[0]) + " .. " + twoDigits(axis.value()[1]);
+  printLine("bounds (mm)", text);
+}
+
+void printFace(const json& face) {
+  printLine("face", face["name"]);
+  printLine("curves", face["curves"].dump() + ", closed, " + face["points_per_curve"].dump() + " points each");
+  printLine("patches", face["patches"].dump());
+  printLine("size", face["bytes"].dump() + " bytes in single precision");
+  printExtents(face["bounds"]);
+  printLine("feature points", face["feature_points"].dump());
+  for (const auto& unit : face["fapu"].items()) printLine(unit.key(), twoDigits(unit.value()) + " mm");
+  printLine("uv mesh", face["rows"].dump() + " rows x " + face["columns"].dump() + " columns");
+  printLine("curves missed", joined(face["curves_missed"]));
+}
+
+json aboutFace(const Options& options) {
+  FaceOptions face = options.face;
+  if (!options.file.empty()) face.setDefaultFace(options.file);
+  FacePipeline pipeline;
+  face.apply(pipeline);
+  return describeFace(pipeline);
+}
+
+void run(const Options& options) {
+  const bool isAnimation = fileEnding(options.file) == "fap";
+  const json about = isAnimation ? describeAnimation(options.file) : aboutFace(options);
+  if (options.json)
+    std::cout << json{{isAnimation ? "fap" : "face", about}}.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+  else
+    isAnimation ? printAnimation(about) : printFace(about);
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("info", "Tell what a file or the generic face holds");
+  command->add_option("file", options->file, "Boundary curves .vtp or animation .fap [the generic face]");
+  command->add_flag("--json", options->json, "Machine-readable");
+  options->face.addSurfaceOptions(*command);
+  command->footer("Example: mien info --json\n         mien info speech.fap\n         mien info --resolution 60x40");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace mien

@@ -1,0 +1,62 @@
+#include "Command.h"
+#include "FaceOptions.h"
+#include "FacePipeline.h"
+#include "OutputFile.h"
+#include "Remarks.h"
+#include "SurfaceFile.h"
+#include "SurfaceTable.h"
+
+#include "vtkPDEFaceFilter.h"
+#include "vtkStructuredGrid.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace mien {
+
+namespace {
+
+struct Options {
+  FaceOptions face;
+  std::string output;
+};
+
+bool isTable(const std::string& name) { return fileEnding(name) == "csv"; }
+
+void checkOutput(const std::string& name) {
+  std::vector<std::string> endings = surfaceEndings();
+  endings.push_back("csv");
+  requireEnding(name, endings);
+}
+
+void run(const Options& options) {
+  checkOutput(options.output);
+  FacePipeline pipeline;
+  options.face.apply(pipeline);
+  FaceState state = pipeline.state();
+  state.doublePrecision = state.doublePrecision || isTable(options.output);  // a table has all digits
+  pipeline.setState(state);
+  updateOrThrow(pipeline);
+  printRemarks(pipeline);
+  vtkStructuredGrid* grid = pipeline.face()->GetOutput();
+  if (isTable(options.output))
+    OutputFile::write(options.output, faceTable(RowLayout(state.rows, state.uniformRows), grid));
+  else
+    writeSurface(grid, options.output);
+}
+
+}  // namespace
+
+void addSurfaceCommand(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("surface", "Write the PDE surface of a face");
+  command->add_option("-o,--output", options->output, "File to write: .vts .vtp .ply .obj .stl .csv")->required();
+  options->face.addAll(*command);
+  command->footer(
+      "Example: mien surface -a 2 -N 7 --resolution 110x80 --expression joy -o joy.vtp\n"
+      "A .vts file keeps the grid with the mouth slit hidden; .csv has the columns patch,u,v,x,y,z in double precision.");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace mien

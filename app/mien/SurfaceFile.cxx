@@ -1,0 +1,90 @@
+#include "SurfaceFile.h"
+
+#include "Failure.h"
+#include "OutputFile.h"
+#include "PipelineErrors.h"
+
+#include "vtkGeometryFilter.h"
+#include "vtkNew.h"
+#include "vtkOBJWriter.h"
+#include "vtkPLYWriter.h"
+#include "vtkPolyData.h"
+#include "vtkReverseSense.h"
+#include "vtkSTLWriter.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTriangleFilter.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLStructuredGridWriter.h"
+
+namespace mien {
+
+namespace {
+
+vtkSmartPointer<vtkPolyData> outwardPolygons(vtkStructuredGrid* grid, bool triangles) {
+  vtkNew<vtkGeometryFilter> polygons;
+  polygons->SetInputData(grid);
+  vtkNew<vtkReverseSense> outwards;  // the normals point outwards already
+  outwards->SetInputConnection(polygons->GetOutputPort());
+  vtkNew<vtkTriangleFilter> halves;
+  halves->SetInputConnection(outwards->GetOutputPort());
+  vtkAlgorithm* last = triangles ? static_cast<vtkAlgorithm*>(halves) : outwards;
+  last->Update();
+  return vtkPolyData::SafeDownCast(last->GetOutputDataObject(0));
+}
+
+template <class Writer>
+void write(Writer* writer, vtkDataObject* data, const std::string& name) {
+  OutputFile file(name);
+  PipelineErrors errors;
+  errors.observe(writer);
+  writer->SetFileName(file.temporaryName().c_str());
+  writer->SetInputDataObject(data);
+  if (!writer->Write() || !errors.first().empty())
+    throw FileFailure(name + ": cannot be written" + (errors.first().empty() ? "" : " (" + errors.first() + ")"));
+  file.commit();
+}
+
+/// Raw LZ4 is several times quicker to write than the default and hardly larger.
+template <class Writer>
+void writeXML(vtkDataObject* data, const std::string& name) {
+  vtkNew<Writer> writer;
+  writer->SetCompressorTypeToLZ4();
+  writer->EncodeAppendedDataOff();
+  write(writer.Get(), data, name);
+}
+
+void writePLY(vtkStructuredGrid* grid, const std::string& name) {
+  vtkNew<vtkPLYWriter> writer;
+  writer->SetFileTypeToBinary();
+  write(writer.Get(), outwardPolygons(grid, false), name);
+}
+
+void writeOBJ(vtkStructuredGrid* grid, const std::string& name) {
+  vtkNew<vtkOBJWriter> writer;
+  write(writer.Get(), outwardPolygons(grid, false), name);
+}
+
+void writeSTL(vtkStructuredGrid* grid, const std::string& name) {
+  vtkNew<vtkSTLWriter> writer;
+  writer->SetFileTypeToBinary();
+  write(writer.Get(), outwardPolygons(grid, true), name);
+}
+
+}  // namespace
+
+const std::vector<std::string>& surfaceEndings() {
+  static const std::vector<std::string> endings = {"vts", "vtp", "ply", "obj", "stl"};
+  return endings;
+}
+
+void writeSurface(vtkStructuredGrid* grid, const std::string& name) {
+  requireEnding(name, surfaceEndings());
+  const std::string ending = fileEnding(name);
+  if (ending == "vts") writeXML<vtkXMLStructuredGridWriter>(grid, name);
+  if (ending == "vtp") writeXML<vtkXMLPolyDataWriter>(outwardPolygons(grid, false), name);
+  if (ending == "ply") writePLY(grid, name);
+  if (ending == "obj") writeOBJ(grid, name);
+  if (ending == "stl") writeSTL(grid, name);
+}
+
+}  // namespace mien

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+class vtkStructuredGrid;
+
+namespace mien {
+
+/// The endings that writeSurface() knows; .csv is left to SurfaceTable.
+const std::vector<std::string>& surfaceEndings();
+
+/// Writes a surface in the format of the file's ending. .vts keeps the grid with its hidden cells; the polygon formats
+/// leave the hidden cells out and are wound outwards.
+void writeSurface(vtkStructuredGrid* grid, const std::string& name);
+
+}  // namespace mien

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "RowLayout.h"
+
+#include <string>
+
+class vtkStructuredGrid;
+
+namespace mien {
+
+/// A PDE surface as CSV with the columns patch,u,v,x,y,z: u from 0 to 1 in the patch, v in radians, x, y, z in the unit
+/// of the curves (mm for a face), each number in its shortest form that reads back the same.
+///
+/// Rows on a seam are listed once for each of their patches; the closing column is left out.
+std::string faceTable(const RowLayout& rows, vtkStructuredGrid* grid);
+
+/// The same of a single patch, whose number is 0.
+std::string patchTable(vtkStructuredGrid* grid);
+
+}  // namespace mien

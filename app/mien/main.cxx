@@ -1,0 +1,57 @@
+#include "Command.h"
+#include "Failure.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <new>
+
+namespace {
+
+constexpr int wrongFile = 1;
+constexpr int wrongOption = 2;
+
+int complain(const std::string& sentence, int exitCode) {
+  std::cerr << "mien: " << sentence << "\n";
+  return exitCode;
+}
+
+void addCommands(CLI::App& program) {
+  mien::addInfoCommand(program);
+  mien::addSurfaceCommand(program);
+  mien::addCurvesCommand(program);
+  mien::addPatchCommand(program);
+  mien::addRenderCommand(program);
+}
+
+/// The command that the arguments name, for a hint on where its options are explained.
+std::string usedCommand(const CLI::App& program) {
+  for (const CLI::App* command : program.get_subcommands()) return "mien " + command->get_name();
+  return "mien";
+}
+
+int run(CLI::App& program, int argc, char** argv) {
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return program.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return complain(std::string(error.what()) + "; see " + usedCommand(program) + " --help", wrongOption);
+  } catch (const mien::Failure& failure) {
+    return complain(failure.what(), failure.exitCode());
+  } catch (const std::bad_alloc&) {
+    return complain("there is not enough memory; choose a smaller --resolution or --size", wrongFile);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App program("Mien: PDE face surfaces, animated by MPEG-4 facial animation parameters", "mien");
+  program.set_version_flag("--version", "mien " MIEN_VERSION);
+  program.require_subcommand(1);
+  program.footer("mien COMMAND --help explains a command and gives an example.");
+  addCommands(program);
+  return run(program, argc, argv);
+}
