@@ -1,0 +1,53 @@
+#include "ExpressionLibrary.h"
+
+#include "DataFile.h"
+#include "FAPTable.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace mien;
+
+TEST(ExpressionLibrary, TheDefaultHasSixSymmetricExpressionsOfThePapersFaps) {
+  ExpressionLibrary library;
+  ASSERT_EQ(library.parse(readDataFile("animation/expressions.json")), "");
+  ASSERT_EQ(library.expressions().size(), 6u);
+  const std::vector<int> subset = paperSubset();
+  int select = 0;
+  for (const ExpressionProfile& expression : library.expressions()) {
+    EXPECT_EQ(expression.select, ++select);
+    EXPECT_FALSE(expression.definition.empty());
+    for (const auto& [fap, value] : expression.values) EXPECT_EQ(std::count(subset.begin(), subset.end(), fap), 1);
+    FAPFrame frame;
+    library.add(expression.name, 1.0, frame);
+    EXPECT_FALSE(frame.isNeutral());
+    const FAPFrame other = mirrored(frame);
+    for (int fap = 3; fap <= FAPFrame::count; ++fap) EXPECT_EQ(other.value(fap), frame.value(fap)) << expression.name;
+  }
+}
+
+TEST(ExpressionLibrary, AddsWithIntensity) {
+  ExpressionLibrary library;
+  ASSERT_EQ(library.parse(readDataFile("animation/expressions.json")), "");
+  FAPFrame full, half;
+  half.setValue(53, 10.0);
+  EXPECT_TRUE(library.add("joy", 1.0, full));
+  EXPECT_TRUE(library.add("joy", 0.5, half));
+  EXPECT_DOUBLE_EQ(half.value(53), 10.0 + 0.5 * full.value(53));
+  EXPECT_FALSE(library.add("boredom", 1.0, half));
+}
+
+TEST(ExpressionLibrary, RefusesFaultsAndNamesTheExpression) {
+  ExpressionLibrary library;
+  const auto fault = [&](const std::string& faps) {
+    return library.parse(R"({"format": "mien expressions", "version": 1, "expressions": [{"name": "joy", "select": 1,
+      "definition": "d", "faps": )" + faps + "}]}");
+  };
+  EXPECT_EQ(fault(R"({"53": 10})"), "");
+  EXPECT_NE(fault(R"({"530": 10})").find("joy: \"530\" is no FAP"), std::string::npos);
+  EXPECT_NE(fault(R"({"53": "x"})").find("joy: the value of FAP 53"), std::string::npos);
+  EXPECT_NE(library.parse("{").find("expressions: "), std::string::npos);
+  EXPECT_NE(library.parse(R"({"format": "mien expressions", "version": 9})").find("version"), std::string::npos);
+  EXPECT_EQ(library.expressions().size(), 1u);
+}
