@@ -2,10 +2,13 @@
 
 #include "vtkBoundaryCurveReader.h"
 #include "vtkPDEFaceFilter.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 
 #include <gtest/gtest.h>
+
+#include <fstream>
 
 namespace {
 
@@ -67,6 +70,87 @@ TEST(FacePipeline, ErrorsComeBackAsOneSentenceAndCanBeMended) {
   EXPECT_EQ(pipeline.update(), "N = 99 is outside 0 .. 20 (curves have 40 points)");
   pipeline.setState(FaceState());
   EXPECT_EQ(pipeline.update(), "");
+}
+
+/// Three frames that open the left lid, numbered 10, 20, 30 at 2 frames per second.
+std::string writeAnimation() {
+  const std::string name = testing::TempDir() + "face_pipeline_lids.fap";
+  std::ofstream file(name);
+  file << "2.1 lids 2 3\n";
+  for (int i = 0; i < 3; ++i) {
+    for (int fap = 1; fap <= 68; ++fap) file << (fap == 19 ? "1 " : "0 ");
+    file << "\n" << 10 * (i + 1) << " " << 100 * i << "\n";
+  }
+  return name;
+}
+
+FaceState animated(const std::string& file, FaceState::FrameChoice choice, double frame) {
+  FaceState state;
+  state.fapFile = file;
+  state.frameChoice = choice;
+  state.frame = frame;
+  return state;
+}
+
+double largestDisplacement(FacePipeline& pipeline, const FaceState& state) {
+  pipeline.setState(state);
+  EXPECT_EQ(pipeline.update(), "");
+  vtkPolyData* curves = vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0));
+  return curves->GetPointData()->GetArray("Displacement")->GetMaxNorm();
+}
+
+TEST(FacePipeline, AFrameIsChosenByIndexNumberOrTime) {
+  using Choice = FaceState::FrameChoice;
+  const std::string file = writeAnimation();
+  FacePipeline pipeline;
+  EXPECT_EQ(largestDisplacement(pipeline, animated(file, Choice::Index, 0)), 0.0);
+  const double one = largestDisplacement(pipeline, animated(file, Choice::Index, 1));
+  const double two = largestDisplacement(pipeline, animated(file, Choice::Index, 2));
+  EXPECT_GT(one, 0.1);
+  EXPECT_GT(two, 1.5 * one);
+  EXPECT_EQ(largestDisplacement(pipeline, animated(file, Choice::Number, 20)), one);
+  EXPECT_EQ(largestDisplacement(pipeline, animated(file, Choice::Time, 0.99)), one);
+  EXPECT_EQ(largestDisplacement(pipeline, animated(file, Choice::Time, 1.0)), two);
+  EXPECT_EQ(largestDisplacement(pipeline, FaceState()), 0.0);
+}
+
+TEST(FacePipeline, OwnFAPsAddToThoseOfTheFile) {
+  FacePipeline pipeline;
+  const std::string file = writeAnimation();
+  const double two = largestDisplacement(pipeline, animated(file, FaceState::FrameChoice::Index, 2));
+  FaceState state = animated(file, FaceState::FrameChoice::Index, 1);
+  state.fapValues[19] = 100.0;
+  EXPECT_EQ(largestDisplacement(pipeline, state), two);
+}
+
+TEST(FacePipeline, AnExpressionMovesTheFaceInProportion) {
+  FacePipeline pipeline;
+  FaceState state;
+  state.expression = "joy";
+  const double full = largestDisplacement(pipeline, state);
+  state.expressionIntensity = 0.1;
+  const double tenth = largestDisplacement(pipeline, state);
+  EXPECT_GT(full, 2.0);
+  EXPECT_GT(tenth, 0.02 * full);
+  EXPECT_LT(tenth, 0.5 * full);
+  EXPECT_EQ(largestDisplacement(pipeline, FaceState()), 0.0);
+}
+
+TEST(FacePipeline, AMissingFrameOrExpressionIsNamedAndCanBeMended) {
+  FacePipeline pipeline;
+  const std::string file = writeAnimation();
+  pipeline.setState(animated(file, FaceState::FrameChoice::Index, 3));
+  EXPECT_EQ(pipeline.update(), file + ": there is no frame with index 3; indices run from 0 to 2");
+  pipeline.setState(animated(file, FaceState::FrameChoice::Number, 15));
+  EXPECT_EQ(pipeline.update(), file + ": there is no frame with number 15; numbers run from 10 to 30");
+  pipeline.setState(animated("/no/such.fap", FaceState::FrameChoice::Index, 0));
+  EXPECT_EQ(pipeline.update().rfind("/no/such.fap: ", 0), 0u) << pipeline.update();
+  FaceState state;
+  state.expression = "envy";
+  pipeline.setState(state);
+  EXPECT_EQ(pipeline.update().rfind("there is no expression 'envy'; there are ", 0), 0u) << pipeline.update();
+  EXPECT_EQ(pipeline.updateNeutralCurves(), "");
+  EXPECT_EQ(largestDisplacement(pipeline, FaceState()), 0.0);
 }
 
 }  // namespace
