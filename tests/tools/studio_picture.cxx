@@ -1,0 +1,66 @@
+// Draws Mien Studio's window into a PNG file, for the documentation and for looking at it:
+// studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
+// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, tab=4, fap=53:200, file=X.fap, frame=100.
+
+#include "FaceModel.h"
+#include "StudioWindow.h"
+#include "Theme.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QSurfaceFormat>
+#include <QTabWidget>
+#include <QTextStream>
+#include <QToolButton>
+
+namespace {
+
+void wait(int milliseconds) {
+  QElapsedTimer clock;
+  clock.start();
+  while (clock.elapsed() < milliseconds) QApplication::processEvents(QEventLoop::AllEvents, 20);
+}
+
+void click(QWidget& window, const char* name) { window.findChild<QToolButton*>(name)->click(); }
+
+void apply(mien::StudioWindow& window, const QString& setting) {
+  const QString key = setting.section('=', 0, 0), value = setting.section('=', 1);
+  mien::FaceModel& model = window.model();
+  if (key == "dark") window.findChild<QAction*>("actionDark")->trigger();
+  if (key == "side") click(window, "lookSide");
+  if (key == "fortyfive") click(window, "lookFortyFive");
+  if (key == "wireframe") click(window, "meshWireframe");
+  if (key == "both") click(window, "meshBoth");
+  if (key == "unlinked") click(window, "curveLink");
+  if (key == "tab") window.findChild<QTabWidget*>("fapTabs")->setCurrentIndex(value.toInt());
+  if (key == "expression") model.change([&](mien::FaceState& state) { state.expression = value.toStdString(); });
+  if (key == "fap")
+    model.change([&](mien::FaceState& state) {
+      state.fapValues[value.section(':', 0, 0).toInt()] = value.section(':', 1).toDouble();
+    });
+  if (key == "a") model.change([&](mien::FaceState& state) { state.surface.smoothing.fill(value.toDouble()); });
+  if (key == "file") window.openAnimation(value);
+  if (key == "frame") model.showFrame(value.toInt());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QApplication application(argc, argv);
+  const QStringList arguments = QApplication::arguments();
+  if (arguments.size() < 3) {
+    QTextStream(stderr) << "usage: studio_picture OUT.png WIDTHxHEIGHT [SETTING...]\n";
+    return 2;
+  }
+  mien::Theme::apply(mien::Theme::Kind::Light, application);
+  mien::StudioWindow window;
+  window.resize(arguments[2].section('x', 0, 0).toInt(), arguments[2].section('x', 1).toInt());
+  window.show();
+  wait(500);
+  for (const QString& setting : arguments.mid(3)) apply(window, setting);
+  wait(500);
+  QTextStream(stdout) << "pipeline " << window.model().pipelineTime() << " ms\n";
+  return window.grab().save(arguments[1]) ? 0 : 1;
+}

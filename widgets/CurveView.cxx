@@ -1,0 +1,147 @@
+#include "CurveView.h"
+
+#include "FaceModel.h"
+#include "Theme.h"
+
+#include <vtkActor.h>
+#include <vtkBoundaryCurveReader.h>
+#include <vtkLookupTable.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkScalarBarActor.h>
+#include <vtkTextProperty.h>
+
+namespace mien {
+
+namespace {
+
+constexpr float lineWidth = 2.0f, pointSize = 5.0f, neutralWidth = 1.0f;  // pixels
+constexpr int colorSteps = 256;
+constexpr double skinBehind = 60.0;  // depth units by which the skin lies behind the curves on it
+
+void setColor(vtkProperty* property, const QColor& color) {
+  property->SetColor(color.redF(), color.greenF(), color.blueF());
+}
+
+/// The mapper of the curves, coloured by the length of `Displacement`.
+vtkSmartPointer<vtkPolyDataMapper> curveMapper(vtkAlgorithm* curves, vtkLookupTable* colors) {
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputConnection(curves->GetOutputPort());
+  mapper->SetScalarModeToUsePointFieldData();
+  mapper->SelectColorArray("Displacement");
+  mapper->SetColorModeToMapScalars();
+  mapper->SetLookupTable(colors);
+  mapper->UseLookupTableScalarRangeOn();
+  return mapper;
+}
+
+}  // namespace
+
+CurveView::CurveView(FaceModel* model, QWidget* parent) : RenderView(model, parent) {
+  setObjectName("curveView");
+  setToolTip(tr("The 29 boundary curves; colour says how far they have moved from the neutral face, in mm"));
+  addSkin();
+  addNeutral();
+  addCurves();
+  addScale();
+  dress();
+}
+
+CurveView::~CurveView() = default;
+
+void CurveView::addCurves() {
+  colors_->SetNumberOfTableValues(colorSteps);
+  colors_->SetTableRange(0.0, fullColorLength);
+  colors_->SetVectorModeToMagnitude();
+  vtkAlgorithm* curves = model().pipeline().curves();
+  lines_->SetMapper(curveMapper(curves, colors_));
+  lines_->GetProperty()->SetLineWidth(lineWidth);
+  points_->SetMapper(curveMapper(curves, colors_));
+  points_->GetProperty()->SetRepresentationToPoints();
+  points_->GetProperty()->SetPointSize(pointSize);
+  points_->GetProperty()->RenderPointsAsSpheresOn();
+  for (vtkActor* actor : {lines_.Get(), points_.Get()}) {
+    actor->GetProperty()->LightingOff();
+    renderer()->AddActor(actor);
+  }
+}
+
+void CurveView::addNeutral() {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(model().pipeline().neutralCurves()->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  neutral_->SetMapper(mapper);
+  neutral_->GetProperty()->LightingOff();
+  neutral_->GetProperty()->SetLineWidth(neutralWidth);
+  renderer()->AddActor(neutral_);
+}
+
+/// Drawn in a plain colour and a little further away than it is, so that it hides only what is behind the face.
+void CurveView::addSkin() {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(model().pipeline().surface()->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, skinBehind);
+  skin_->SetMapper(mapper);
+  skin_->GetProperty()->LightingOff();
+  renderer()->AddActor(skin_);
+}
+
+void CurveView::addScale() {
+  scale_->SetLookupTable(colors_);
+  scale_->SetTitle("moved by (mm)");
+  scale_->SetOrientationToHorizontal();
+  scale_->SetNumberOfLabels(3);
+  scale_->SetLabelFormat("%.0f");
+  scale_->SetPosition(0.25, 0.015);
+  scale_->SetPosition2(0.5, 0.075);
+  scale_->UnconstrainedFontSizeOn();
+  for (vtkTextProperty* text : {scale_->GetTitleTextProperty(), scale_->GetLabelTextProperty()}) {
+    text->SetFontSize(11);
+    text->ItalicOff();
+    text->BoldOff();
+    text->ShadowOff();
+  }
+  renderer()->AddActor2D(scale_);
+}
+
+void CurveView::dress() {
+  const Theme& theme = Theme::current();
+  for (int i = 0; i < colorSteps; ++i) {
+    const double t = i / (colorSteps - 1.0), s = 1.0 - t;
+    colors_->SetTableValue(i, s * theme.curve.redF() + t * theme.curveMoved.redF(),
+                           s * theme.curve.greenF() + t * theme.curveMoved.greenF(),
+                           s * theme.curve.blueF() + t * theme.curveMoved.blueF());
+  }
+  colors_->Modified();
+  setColor(neutral_->GetProperty(), theme.ghost);
+  setColor(lines_->GetProperty(), theme.curve);
+  setColor(points_->GetProperty(), theme.curve);
+  setColor(skin_->GetProperty(), theme.viewBottom);
+  for (vtkTextProperty* text : {scale_->GetTitleTextProperty(), scale_->GetLabelTextProperty()})
+    text->SetColor(theme.text.redF(), theme.text.greenF(), theme.text.blueF());
+}
+
+void CurveView::setPointsVisible(bool visible) {
+  points_->SetVisibility(visible);
+  redraw();
+}
+
+void CurveView::setNeutralVisible(bool visible) {
+  neutral_->SetVisibility(visible);
+  redraw();
+}
+
+void CurveView::setBackHidden(bool hidden) {
+  skin_->SetVisibility(hidden);
+  redraw();
+}
+
+void CurveView::useTheme() {
+  dress();
+  RenderView::useTheme();
+}
+
+}  // namespace mien

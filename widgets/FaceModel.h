@@ -1,0 +1,76 @@
+#pragma once
+
+#include "FacePipeline.h"
+#include "FaceState.h"
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+
+class QTimer;
+
+namespace mien {
+
+class FAPFrame;
+
+/// The one face that all widgets show and change: a FaceState and the pipeline that draws it.
+///
+/// Widgets change the state and follow its signals; they do not talk to each other. Changes that come quicker than the
+/// pipeline runs are shown once, the last of them.
+class FaceModel : public QObject {
+  Q_OBJECT
+ public:
+  explicit FaceModel(QObject* parent = nullptr);
+  ~FaceModel() override;
+
+  const FaceState& state() const { return state_; }
+  FacePipeline& pipeline() { return pipeline_; }
+
+  /// Changes the state now and the picture when the event loop is next idle.
+  void change(const std::function<void(FaceState&)>& edit);
+
+  /// Brings the pipeline up to date with the state. A state that the pipeline refuses is taken back to the last
+  /// good one, and failed() says why. @return whether the state was good
+  bool update();
+
+  /// Opens a .fap file at its first frame. When it has a fault all stays as it was. @return whether it was good
+  bool openAnimation(const QString& fileName);
+  void closeAnimation();
+
+  int frameCount() const;          ///< of the open animation; 0 without one
+  double framesPerSecond() const;  ///< of the open animation; 0 without one
+  int frameIndex() const;          ///< from 0
+  QString frameNumber() const;     ///< as written in the file
+  void showFrame(int index);       ///< from 0; brought to the nearer end when outside
+
+  /// What the face shows of one FAP, in FAP units: its slider, the animation's frame and the expression together.
+  double shownFAP(int fap) const;
+
+  /// How far one FAP unit moves on this face, in mm; 0 for angles and for FAP 1 and 2.
+  double millimetresPerUnit(int fap) const;
+
+  int pointsPerCurve() const { return pipeline_.pointsPerCurve(); }
+
+  double pipelineTime() const { return pipelineTime_; }  ///< of the last update, in ms
+
+ signals:
+  void stateChanged();      ///< at once, with every change
+  void updated();           ///< the pipeline's output is new
+  void animationChanged();  ///< another .fap file, or none
+  void failed(const QString& sentence, const QString& details);
+  void remarked(const QString& sentence, const QString& details);  ///< accepted, but worth knowing
+
+ private:
+  QString show(const FaceState& state);
+  void reportAnimation();
+  const FAPFrame* frame() const;  ///< the animation's, or nullptr without one
+
+  FacePipeline pipeline_;
+  FaceState state_, good_;
+  QTimer* idle_;
+  double pipelineTime_ = 0.0;
+};
+
+}  // namespace mien

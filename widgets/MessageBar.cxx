@@ -1,0 +1,70 @@
+#include "MessageBar.h"
+
+#include "Icons.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QStyle>
+#include <QVariant>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace mien {
+
+namespace {
+
+constexpr int detailsHeight = 90;  // pixels
+
+}  // namespace
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), sentence_(new QLabel(this)), details_(new QPlainTextEdit(this)), more_(new QToolButton(this)) {
+  setObjectName("messageBar");
+  sentence_->setObjectName("messageSentence");
+  sentence_->setWordWrap(true);
+  sentence_->setTextFormat(Qt::PlainText);
+  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  details_->setObjectName("messageDetails");
+  details_->setReadOnly(true);
+  details_->setFixedHeight(detailsHeight);
+  more_->setObjectName("messageMore");
+  more_->setText(tr("Details"));
+  more_->setCheckable(true);
+  auto* close = new QToolButton(this);
+  close->setObjectName("messageClose");
+  close->setIcon(icon(Symbol::Close));
+  close->setIconSize({11, 11});
+  close->setToolTip(tr("Hide this message"));
+  connect(more_, &QToolButton::toggled, details_, &QWidget::setVisible);
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  auto* row = new QHBoxLayout;
+  row->addWidget(sentence_, 1);
+  row->addWidget(more_);
+  row->addWidget(close);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, 4, 6, 4);
+  column->addLayout(row);
+  column->addWidget(details_);
+  details_->hide();
+  hide();
+}
+
+QString MessageBar::sentence() const { return sentence_->text(); }
+
+void MessageBar::showError(const QString& sentence, const QString& details) { show("error", sentence, details); }
+
+void MessageBar::showNote(const QString& sentence, const QString& details) { show("note", sentence, details); }
+
+void MessageBar::show(const char* severity, const QString& sentence, const QString& details) {
+  setProperty("severity", severity);
+  style()->unpolish(this);  // the style sheet chooses by severity
+  style()->polish(this);
+  sentence_->setText(sentence);
+  details_->setPlainText(details);
+  more_->setChecked(false);
+  more_->setVisible(!details.isEmpty());
+  setVisible(true);
+}
+
+}  // namespace mien

@@ -1,0 +1,261 @@
+#include "StudioWindow.h"
+
+#include "AnimationPlayer.h"
+#include "BundledFile.h"
+#include "CurveView.h"
+#include "ExpressionPanel.h"
+#include "FAPPanel.h"
+#include "FaceModel.h"
+#include "MessageBar.h"
+#include "SurfacePanel.h"
+#include "Theme.h"
+#include "TimelinePanel.h"
+#include "ViewFrame.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSplitter>
+#include <QToolButton>
+#include <QUrl>
+#include <QVBoxLayout>
+
+namespace mien {
+
+namespace {
+
+constexpr int startWidth = 1280, startHeight = 800;  // pixels
+constexpr int dockWidth = 340;
+
+QString droppedFile(const QMimeData* data) {
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile() && url.toLocalFile().endsWith(".fap", Qt::CaseInsensitive)) return url.toLocalFile();
+  return {};
+}
+
+}  // namespace
+
+StudioWindow::StudioWindow()
+    : model_(new FaceModel(this)), player_(new AnimationPlayer(model_, this)), face_(new FaceView(model_)),
+      curves_(new CurveView(model_)), messages_(new MessageBar) {
+  setObjectName("studioWindow");
+  setWindowTitle(tr("Mien Studio"));
+  setAcceptDrops(true);
+  setCentralWidget(centre());
+  addDocks();
+  addFileMenu();
+  addViewMenu();
+  addHelpMenu();
+  linkCameras(true);
+  connect(face_, &RenderView::cameraMoved, this, [this] {
+    if (linked_) curves_->redraw();
+  });
+  connect(curves_, &RenderView::cameraMoved, this, [this] {
+    if (linked_) face_->redraw();
+  });
+  connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
+  connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
+  resize(startWidth, startHeight);
+}
+
+StudioWindow::~StudioWindow() = default;
+
+QWidget* StudioWindow::centre() {
+  auto* timeline = new TimelinePanel(model_, player_);
+  connect(timeline, &TimelinePanel::openRequested, this, &StudioWindow::chooseAnimation);
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 6, 8, 8);
+  column->setSpacing(6);
+  column->addWidget(views(), 1);
+  column->addWidget(timeline);
+  column->addWidget(messages_);
+  return box;
+}
+
+QWidget* StudioWindow::views() {
+  auto* splitter = new QSplitter(Qt::Horizontal, this);
+  splitter->setObjectName("viewSplitter");
+  splitter->setChildrenCollapsible(false);
+  splitter->addWidget(faceFrame());
+  splitter->addWidget(curveFrame());
+  splitter->setStretchFactor(0, 4);
+  splitter->setStretchFactor(1, 3);
+  return splitter;
+}
+
+QWidget* StudioWindow::faceFrame() {
+  auto* frame = new ViewFrame(tr("Face"), face_, this);
+  addMeshButtons(frame);
+  frame->addGap();
+  addSideButtons(frame);
+  return frame;
+}
+
+void StudioWindow::addMeshButtons(ViewFrame* frame) {
+  auto* group = new QButtonGroup(this);
+  const auto add = [&](const QString& name, const QString& text, const QString& tip, FaceView::Mesh mesh) {
+    QToolButton* button = frame->addToggle(name, text, tip, mesh == face_->mesh());
+    group->addButton(button);
+    connect(button, &QToolButton::clicked, this, [this, mesh] { face_->setMesh(mesh); });
+  };
+  add("meshShaded", tr("Shaded"), tr("The surface, lit"), FaceView::Mesh::Shaded);
+  add("meshWireframe", tr("Wireframe"), tr("The lines of the mesh"), FaceView::Mesh::Wireframe);
+  add("meshBoth", tr("Both"), tr("The surface with the lines of its mesh"), FaceView::Mesh::Both);
+}
+
+void StudioWindow::addSideButtons(ViewFrame* frame) {
+  const auto add = [&](const QString& name, const QString& text, const QString& tip, RenderView::Side side) {
+    connect(frame->addButton(name, text, tip), &QToolButton::clicked, this, [this, side] { look(side); });
+  };
+  add("lookFront", tr("Front"), tr("Look from the front"), RenderView::Side::Front);
+  add("lookFortyFive", tr("45\u00b0"), tr("Look from 45 degrees at the subject's left"), RenderView::Side::FortyFive);
+  add("lookSide", tr("Side"), tr("Look at the subject's left side"), RenderView::Side::Profile);
+  QToolButton* whole = frame->addButton("lookReset", tr("Reset"), tr("The whole face again (double click in a view)"));
+  connect(whole, &QToolButton::clicked, this, [this] {
+    face_->fit();
+    if (!linked_) curves_->fit();
+  });
+}
+
+QWidget* StudioWindow::curveFrame() {
+  auto* frame = new ViewFrame(tr("Boundary curves"), curves_, this);
+  connect(frame->addToggle("curvePoints", tr("Points"), tr("The points of the curves"), true), &QToolButton::toggled,
+          curves_, &CurveView::setPointsVisible);
+  connect(frame->addToggle("curveNeutral", tr("Neutral"), tr("The curves of the neutral face, thin and pale"), true),
+          &QToolButton::toggled, curves_, &CurveView::setNeutralVisible);
+  connect(frame->addToggle("curveFrontOnly", tr("Front only"), tr("Whether the face hides the curves behind it"), true),
+          &QToolButton::toggled, curves_, &CurveView::setBackHidden);
+  connect(frame->addToggle("curveLink", tr("Link"), tr("Turn and zoom together with the face"), true),
+          &QToolButton::toggled, this, &StudioWindow::linkCameras);
+  return frame;
+}
+
+void StudioWindow::linkCameras(bool linked) {
+  linked_ = linked;
+  linked ? curves_->share(face_->camera()) : curves_->unshare();
+}
+
+void StudioWindow::look(RenderView::Side side) {
+  face_->look(side);
+  if (!linked_) curves_->look(side);
+}
+
+QDockWidget* StudioWindow::addDock(const QString& name, const QString& title, QWidget* panel) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(panel);
+  dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+  addDockWidget(Qt::LeftDockWidgetArea, dock);
+  return dock;
+}
+
+void StudioWindow::addDocks() {
+  QDockWidget* expressions = addDock("expressionDock", tr("Expression"), new ExpressionPanel(model_));
+  QDockWidget* faps = addDock("fapDock", tr("Facial animation parameters"), new FAPPanel(model_));
+  QDockWidget* surface = addDock("surfaceDock", tr("Surface"), new SurfacePanel(model_));
+  resizeDocks({expressions, faps, surface}, {dockWidth, dockWidth, dockWidth}, Qt::Horizontal);
+  resizeDocks({expressions, faps, surface}, {1, 1000, 1}, Qt::Vertical);
+}
+
+void StudioWindow::addFileMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  menu->addAction(tr("&Open animation..."), this, &StudioWindow::chooseAnimation)->setShortcut(QKeySequence::Open);
+  menu->addAction(tr("Play the &demonstration"), this, &StudioWindow::playDemonstration);
+  menu->addAction(tr("&Close animation"), model_, &FaceModel::closeAnimation)->setShortcut(QKeySequence::Close);
+  menu->addSeparator();
+  menu->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence::Quit);
+  QMenu* face = menuBar()->addMenu(tr("F&ace"));
+  QAction* play = face->addAction(tr("&Play or pause"), player_, [this] { player_->setPlaying(!player_->isPlaying()); });
+  play->setShortcut(Qt::CTRL | Qt::Key_Space);
+  QAction* reset = face->addAction(tr("&Neutral face"), this, &StudioWindow::resetAll);
+  reset->setShortcut(Qt::CTRL | Qt::Key_0);
+  reset->setObjectName("actionNeutral");
+}
+
+void StudioWindow::addViewMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  const auto add = [&](const QString& text, int key, RenderView::Side side) {
+    menu->addAction(text, this, [this, side] { look(side); })->setShortcut(Qt::CTRL | Qt::Key(key));
+  };
+  add(tr("&Front"), Qt::Key_1, RenderView::Side::Front);
+  add(tr("&45 degrees"), Qt::Key_2, RenderView::Side::FortyFive);
+  add(tr("&Side"), Qt::Key_3, RenderView::Side::Profile);
+  menu->addSeparator();
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
+  menu->addSeparator();
+  QAction* dark = menu->addAction(tr("&Dark colours"));
+  dark->setObjectName("actionDark");
+  dark->setCheckable(true);
+  dark->setChecked(Theme::current().kind == Theme::Kind::Dark);
+  connect(dark, &QAction::toggled, this, &StudioWindow::setDark);
+}
+
+void StudioWindow::addHelpMenu() {
+  menuBar()->addMenu(tr("&Help"))->addAction(tr("&About Mien Studio"), this, &StudioWindow::showAbout);
+}
+
+void StudioWindow::setDark(bool dark) {
+  Theme::apply(dark ? Theme::Kind::Dark : Theme::Kind::Light, *qApp);
+  face_->useTheme();
+  curves_->useTheme();
+}
+
+void StudioWindow::showAbout() {
+  QMessageBox::about(this, tr("About Mien Studio"),
+                     tr("<h3>Mien %1</h3><p>PDE face surfaces and MPEG-4 facial animation.</p>"
+                        "<p>Y. Sheng, P. Willis, G. Gonzalez Castro, H. Ugail: Facial geometry parameterisation based on "
+                        "partial differential equations. Mathematical and Computer Modelling, 2011.</p>"
+                        "<p>M. Obaid, R. Mukundan, M. Billinghurst, M. Sagar: Facial expression representation using a "
+                        "quadratic deformation model. CGIV 2009.</p><p>BSD 3-Clause licence.</p>")
+                         .arg(QApplication::applicationVersion()));
+}
+
+bool StudioWindow::openAnimation(const QString& fileName) {
+  const bool good = model_->openAnimation(fileName);
+  if (good && !fileName.isEmpty()) setWindowFilePath(fileName);
+  return good;
+}
+
+void StudioWindow::chooseAnimation() {
+  const QString name = QFileDialog::getOpenFileName(this, tr("Open animation"), QString(),
+                                                    tr("MPEG-4 facial animation (*.fap *.FAP);;All files (*)"));
+  if (!name.isEmpty()) openAnimation(name);
+}
+
+void StudioWindow::playDemonstration() {
+  if (openAnimation(bundledFile("animation/demo.fap"))) player_->play();
+}
+
+void StudioWindow::resetAll() {
+  player_->pause();
+  model_->change([](FaceState& state) {
+    state.fapValues.clear();
+    state.expression.clear();
+    state.fapFile.clear();
+    state.frame = 0.0;
+  });
+}
+
+void StudioWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!droppedFile(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void StudioWindow::dropEvent(QDropEvent* event) {
+  if (openAnimation(droppedFile(event->mimeData()))) player_->play();
+  event->acceptProposedAction();
+}
+
+void StudioWindow::closeEvent(QCloseEvent* event) {
+  player_->pause();
+  QMainWindow::closeEvent(event);
+}
+
+}  // namespace mien

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "FaceView.h"
+
+#include <QMainWindow>
+
+namespace mien {
+
+class AnimationPlayer;
+class CurveView;
+class FaceModel;
+class MessageBar;
+class ViewFrame;
+
+/// The main window of Mien Studio: it puts the widgets in their places and knows the menus.
+class StudioWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  StudioWindow();
+  ~StudioWindow() override;
+
+  FaceModel& model() { return *model_; }
+  AnimationPlayer& player() { return *player_; }
+
+ public slots:
+  bool openAnimation(const QString& fileName);  ///< the message bar says what is wrong with a file that has a fault
+  void chooseAnimation();
+  void playDemonstration();  ///< the animation that comes with the application
+  void resetAll();           ///< the neutral face, without expression and animation
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  QWidget* centre();
+  QWidget* views();
+  QWidget* faceFrame();
+  QWidget* curveFrame();
+  void addSideButtons(ViewFrame* frame);
+  void addMeshButtons(ViewFrame* frame);
+  void linkCameras(bool linked);
+  void look(RenderView::Side side);
+  void addDocks();
+  QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel);
+  void addFileMenu();
+  void addViewMenu();
+  void addHelpMenu();
+  void setDark(bool dark);
+  void showAbout();
+
+  FaceModel* model_;
+  AnimationPlayer* player_;
+  FaceView* face_;
+  CurveView* curves_;
+  MessageBar* messages_;
+  bool linked_ = true;
+};
+
+}  // namespace mien

@@ -1,0 +1,138 @@
+#include "Theme.h"
+
+#include <QApplication>
+#include <QPalette>
+#include <QString>
+#include <QStyleFactory>
+
+namespace mien {
+
+namespace {
+
+const Theme* applied = nullptr;
+
+Theme light() {
+  Theme theme;
+  theme.kind = Theme::Kind::Light;
+  theme.window = "#f4f5f7";
+  theme.panel = "#ffffff";
+  theme.text = "#1f2933";
+  theme.faintText = "#5f6c7b";
+  theme.line = "#d5dae1";
+  theme.accent = "#2f6fb2";
+  theme.accentText = "#ffffff";
+  theme.error = "#b3372f";
+  theme.warning = "#96690a";
+  theme.viewTop = "#dfe5ec";
+  theme.viewBottom = "#f7f8fa";
+  theme.skin = "#dccbc0";
+  theme.skinInside = "#857b77";
+  theme.mesh = "#3a4654";
+  theme.curve = "#3f5f80";
+  theme.curveMoved = "#d9570a";
+  theme.ghost = "#aeb8c4";
+  return theme;
+}
+
+Theme dark() {
+  Theme theme;
+  theme.kind = Theme::Kind::Dark;
+  theme.window = "#23272e";
+  theme.panel = "#2b3038";
+  theme.text = "#e4e8ed";
+  theme.faintText = "#9aa6b4";
+  theme.line = "#414954";
+  theme.accent = "#5b9bdc";
+  theme.accentText = "#10151b";
+  theme.error = "#ec7f76";
+  theme.warning = "#e2b04a";
+  theme.viewTop = "#3a424d";
+  theme.viewBottom = "#22272e";
+  theme.skin = "#d3c2b7";
+  theme.skinInside = "#6d6560";
+  theme.mesh = "#1d242c";
+  theme.curve = "#8fb4d9";
+  theme.curveMoved = "#ff9a4d";
+  theme.ghost = "#566271";
+  return theme;
+}
+
+QPalette palette(const Theme& theme) {
+  QPalette colors;
+  colors.setColor(QPalette::Window, theme.window);
+  colors.setColor(QPalette::WindowText, theme.text);
+  colors.setColor(QPalette::Base, theme.panel);
+  colors.setColor(QPalette::AlternateBase, theme.window);
+  colors.setColor(QPalette::Text, theme.text);
+  colors.setColor(QPalette::Button, theme.panel);
+  colors.setColor(QPalette::ButtonText, theme.text);
+  colors.setColor(QPalette::ToolTipBase, theme.panel);
+  colors.setColor(QPalette::ToolTipText, theme.text);
+  colors.setColor(QPalette::Highlight, theme.accent);
+  colors.setColor(QPalette::HighlightedText, theme.accentText);
+  colors.setColor(QPalette::Link, theme.accent);
+  colors.setColor(QPalette::Mid, theme.line);
+  colors.setColor(QPalette::PlaceholderText, theme.faintText);
+  for (QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    colors.setColor(QPalette::Disabled, role, theme.line.darker(theme.kind == Theme::Kind::Light ? 125 : 90));
+  return colors;
+}
+
+/// Names in @ stand for colours of the theme.
+const char* const styleText = R"(
+QMainWindow, QDialog { background: @window; }
+QMainWindow::separator { background: @window; width: 6px; height: 6px; }
+QToolTip { color: @text; background: @panel; border: 1px solid @line; padding: 4px; }
+QMenuBar { background: @window; }
+QStatusBar { background: @window; color: @faint; }
+QDockWidget { font-weight: 600; titlebar-close-icon: none; }
+QDockWidget::title { background: @window; padding: 6px 8px; }
+QFrame#card { background: @panel; border: 1px solid @line; border-radius: 6px; }
+QLabel[faint="true"] { color: @faint; }
+QLabel[heading="true"] { font-weight: 600; }
+QTabWidget::pane { border: none; border-top: 1px solid @line; }
+QTabBar::tab { padding: 5px 9px; border: none; border-bottom: 2px solid transparent; color: @faint; background: transparent; }
+QTabBar::tab:selected { color: @text; border-bottom-color: @accent; }
+QTabBar::tab:hover { color: @text; }
+QTabBar::tab:focus { color: @accent; }
+QPushButton { padding: 5px 10px; border: 1px solid @line; border-radius: 4px; background: @panel; }
+QPushButton:hover { border-color: @accent; }
+QPushButton:focus { border-color: @accent; }
+QPushButton:checked { background: @accent; color: @accentText; border-color: @accent; }
+QPushButton:disabled { color: @line; }
+QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px 6px; background: transparent; }
+QToolButton:hover { border-color: @line; }
+QToolButton:focus { border-color: @accent; }
+QToolButton:checked { background: @accent; color: @accentText; }
+QFrame#messageBar { background: @panel; border: 1px solid @line; border-radius: 6px; }
+QFrame#messageBar[severity="error"] { border-left: 4px solid @error; }
+QFrame#messageBar[severity="warning"] { border-left: 4px solid @warning; }
+QFrame#messageBar[severity="note"] { border-left: 4px solid @accent; }
+)";
+
+QString styleSheet(const Theme& theme) {
+  QString text = styleText;
+  text.replace("@accentText", theme.accentText.name()).replace("@accent", theme.accent.name());
+  text.replace("@window", theme.window.name()).replace("@panel", theme.panel.name());
+  text.replace("@text", theme.text.name()).replace("@faint", theme.faintText.name());
+  text.replace("@line", theme.line.name()).replace("@error", theme.error.name());
+  return text.replace("@warning", theme.warning.name());
+}
+
+}  // namespace
+
+const Theme& Theme::of(Kind kind) {
+  static const Theme lightTheme = light(), darkTheme = dark();
+  return kind == Kind::Light ? lightTheme : darkTheme;
+}
+
+const Theme& Theme::current() { return applied ? *applied : of(Kind::Light); }
+
+void Theme::apply(Kind kind, QApplication& application) {
+  applied = &of(kind);
+  application.setStyle(QStyleFactory::create("Fusion"));
+  application.setPalette(palette(*applied));
+  application.setStyleSheet(styleSheet(*applied));
+}
+
+}  // namespace mien

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QColor>
+
+class QApplication;
+
+namespace mien {
+
+/// The colours of the application in one place: widgets take theirs from the palette and the style sheet, the
+/// three-dimensional views from here.
+struct Theme {
+  enum class Kind { Light, Dark };
+
+  Kind kind;
+  QColor window, panel, text, faintText, line, accent, accentText, error, warning;
+  QColor viewTop, viewBottom;          ///< background of a view, from top to bottom
+  QColor skin, skinInside, mesh;       ///< the face from outside and inside, and its mesh lines
+  QColor curve, curveMoved, ghost;     ///< boundary curves at rest, moved by 10 mm, and where they were
+
+  static const Theme& of(Kind kind);
+
+  /// The one that was applied last; light before that.
+  static const Theme& current();
+
+  /// Gives the application this theme's style, palette and style sheet.
+  static void apply(Kind kind, QApplication& application);
+};
+
+}  // namespace mien

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <QFrame>
+
+class QHBoxLayout;
+class QToolButton;
+
+namespace mien {
+
+/// A view with its title and its buttons above it.
+class ViewFrame : public QFrame {
+  Q_OBJECT
+ public:
+  ViewFrame(const QString& title, QWidget* view, QWidget* parent = nullptr);
+
+  QToolButton* addButton(const QString& objectName, const QString& text, const QString& toolTip);
+  QToolButton* addToggle(const QString& objectName, const QString& text, const QString& toolTip, bool on);
+  void addGap();
+
+ private:
+  QHBoxLayout* header_;
+};
+
+}  // namespace mien
