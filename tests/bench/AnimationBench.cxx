@@ -1,0 +1,110 @@
+/// From FAP frames to curves and surfaces, beside memcpy of the same output in the same run.
+#include "AnimationData.h"
+#include "BoundaryCurveData.h"
+#include "FaceAnimator.h"
+#include "FaceSurface.h"
+#include "FAPTable.h"
+#include "PDESurface.h"
+#include "SurfaceNormals.h"
+#include "vtkBoundaryCurveReader.h"
+#include "vtkFAPAnimationFilter.h"
+#include "vtkPDEFaceFilter.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstring>
+
+using namespace mien;
+
+namespace {
+
+constexpr int rows = 56, columns = 40;
+
+FaceCurves genericFace() {
+  vtkNew<vtkBoundaryCurveReader> reader;
+  reader->Update();
+  FaceCurves face;
+  readFaceCurves(reader->GetOutput(), face);
+  return face;
+}
+
+FaceAnimator genericAnimator() {
+  AnimationTable table;
+  readAnimationTable("", table);
+  FaceAnimator animator;
+  animator.bind(genericFace(), table);
+  return animator;
+}
+
+/// The frames of a long movement: a few FAPs of every region, never the same twice.
+FAPFrame movingFrame(int index) {
+  FAPFrame frame;
+  for (const int fap : {19, 20, 31, 32, 33, 34, 41, 42, 51, 52, 53, 54, 59, 60})
+    frame.setValue(fap, 120.0 * std::sin(0.1 * index + fap));
+  return frame;
+}
+
+void frameToCurves(benchmark::State& state) {
+  FaceAnimator animator = genericAnimator();
+  int index = 0;
+  for (auto _ : state) benchmark::DoNotOptimize(animator.animate(movingFrame(index++)).points.data());
+}
+
+void frameToSurface(benchmark::State& state, const std::string& scheme) {
+  FaceAnimator animator = genericAnimator();
+  FaceSurfaceOptions options;
+  options.scheme = scheme;
+  const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(columns + 1, 0.0, 2.0 * M_PI);
+  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true), FaceLayout::curveCount, v);
+  RowMajor<float> points(rows, v.size() * 3), normals = points, su = points, sv = points;
+  const auto grid = [](RowMajor<float>& m) { return PDESurface<float>::Grid(m.data(), m.rows(), m.cols()); };
+  int index = 0;
+  for (auto _ : state) {
+    surface.setCurves(animator.animate(movingFrame(index++)));
+    surface.evaluate(0, 0, 0, grid(points));
+    surface.evaluate(1, 0, 0, grid(su));
+    surface.evaluate(0, 1, 0, grid(sv));
+    surfaceNormals<float>(grid(su), grid(sv), grid(normals));
+    benchmark::ClobberMemory();
+  }
+}
+
+void frameThroughPipeline(benchmark::State& state, const std::string& scheme) {
+  vtkSMPTools::Initialize(1);
+  vtkNew<vtkBoundaryCurveReader> reader;
+  vtkNew<vtkFAPAnimationFilter> animation;
+  vtkNew<vtkPDEFaceFilter> face;
+  animation->SetInputConnection(reader->GetOutputPort());
+  face->SetInputConnection(animation->GetOutputPort());
+  face->SetScheme(scheme);
+  int index = 0;
+  for (auto _ : state) {
+    const FAPFrame frame = movingFrame(index++);
+    for (const int fap : paperSubset()) animation->SetFAP(fap, frame.value(fap));
+    face->Update();
+  }
+}
+
+void memcpyOfOutput(benchmark::State& state) {
+  const size_t bytes = 2 * 3 * sizeof(float) * rows * (columns + 1);
+  std::vector<char> from(bytes, 1), to(bytes, 2);
+  for (auto _ : state) {
+    std::memcpy(to.data(), from.data(), bytes);
+    benchmark::ClobberMemory();
+  }
+}
+
+}  // namespace
+
+BENCHMARK(frameToCurves);
+BENCHMARK_CAPTURE(frameToSurface, fourCurve, std::string("four-curve"));
+BENCHMARK_CAPTURE(frameToSurface, spline, std::string("spline"));
+BENCHMARK_CAPTURE(frameThroughPipeline, fourCurve, std::string("four-curve"));
+BENCHMARK_CAPTURE(frameThroughPipeline, spline, std::string("spline"));
+BENCHMARK(memcpyOfOutput);
