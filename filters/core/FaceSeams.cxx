@@ -1,13 +1,15 @@
 #include "FaceSeams.h"
 
+#include "BoundaryField.h"
+
 #include <cmath>
 
 namespace mien {
 
 namespace {
 
-/// Order of the derivatives with respect to u and v of the grids of a jet.
-constexpr std::array<std::array<int, 2>, 6> jetOrders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+constexpr int sideCount = 2 * FaceSeams::seamCount;
+constexpr int orderCount = 3;  ///< S, S_u, S_uu
 
 Eigen::VectorXd equidistant(int columns) {
   return Eigen::VectorXd::LinSpaced(columns, 0.0, 2.0 * M_PI * (columns - 1) / columns);
@@ -23,7 +25,6 @@ std::vector<SurfacePiece> bordersOfSeams(const FaceSurfaceOptions& options) {
       borders.push_back(pieces[(seam + 1) * perPatch - 1 + side]);
       SurfacePiece& border = borders.back();
       border.u = {side == 0 ? border.end : border.begin};
-      border.firstRow = 2 * seam + side;
     }
   return borders;
 }
@@ -32,18 +33,47 @@ std::vector<SurfacePiece> bordersOfSeams(const FaceSurfaceOptions& options) {
 
 FaceSeams::FaceSeams(const FaceSurfaceOptions& options, int pointsPerCurve, int columns)
     : v_(equidistant(columns)),
-      surface_(bordersOfSeams(options), HarmonicSplit(pointsPerCurve, options.modes, options.remainder), FaceLayout::curveCount, v_, 2),
-      measures_(static_cast<size_t>(seamCount) * columns) {}
+      split_(pointsPerCurve, options.modes, options.remainder),
+      analysis_(split_.analysis()),
+      synthesis_{split_.synthesis(v_, 0), split_.synthesis(v_, 1), split_.synthesis(v_, 2)},
+      sides_(split_.count(), Eigen::MatrixXd::Zero(3 * FaceLayout::curveCount, 3 * sideCount * orderCount)),
+      measures_(static_cast<size_t>(seamCount) * columns) {
+  int row = 0;
+  for (const SurfacePiece& border : bordersOfSeams(options)) addSide(border, row++);
+}
+
+// A derivative at a border is a combination of the curves, harmonic by harmonic, the same for x, y and z.
+void FaceSeams::addSide(const SurfacePiece& piece, int row) {
+  for (int order = 0; order < orderCount; ++order) {
+    const Eigen::MatrixXd u = surfaceOperator(piece, split_, FaceLayout::curveCount, order);
+    if (u.size() == 0) {
+      fault_ = "the conditions of a patch do not determine a surface; give as many independent ones as its order";
+      return;
+    }
+    for (int part = 0; part < split_.count(); ++part)
+      for (int c = 0; c < FaceLayout::curveCount; ++c)
+        for (int xyz = 0; xyz < 3; ++xyz)
+          sides_[part](3 * c + xyz, 3 * (order * sideCount + row) + xyz) = u(0, c * split_.count() + part);
+  }
+}
 
 std::string FaceSeams::name(int seam) { return "P" + std::to_string(seam) + "|P" + std::to_string(seam + 1); }
 
 void FaceSeams::setCurves(const ClosedCurves& curves) {
-  surface_.setCurves(curves);
-  for (size_t i = 0; i < grids_.size(); ++i) {
-    grids_[i].resize(2 * seamCount, 3 * columnCount());
-    surface_.evaluate(jetOrders[i][0], jetOrders[i][1], 0, {grids_[i].data(), grids_[i].rows(), grids_[i].cols()});
-  }
+  computeJets(curves);
   for (int seam = 0; seam < seamCount; ++seam) measure(seam);
+}
+
+// Curves are combined as coefficients, 40 numbers each, and only the results are sampled.
+void FaceSeams::computeJets(const ClosedCurves& curves) {
+  fourierCoefficients(analysis_, curves, samples_, ofCurves_);
+  ofSides_.setZero(ofCurves_.rows(), 3 * sideCount * orderCount);
+  for (int part = 0; part < split_.count(); ++part) {
+    const int first = split_.firstCoefficient(part), count = split_.coefficientCount(part);
+    if (count > 0) ofSides_.middleRows(first, count).noalias() = ofCurves_.middleRows(first, count) * sides_[part];
+  }
+  for (int order = 0; order < orderCount; ++order)
+    jets_[order].noalias() = synthesis_[order] * ofSides_.leftCols(3 * sideCount * (orderCount - order));
 }
 
 void FaceSeams::measure(int seam) {
@@ -57,13 +87,15 @@ void FaceSeams::measure(int seam) {
 }
 
 SurfaceJet FaceSeams::jet(int seam, int side, int column) const {
-  const auto value = [&](int i) -> Eigen::Vector3d { return grids_[i].block<1, 3>(2 * seam + side, 3 * column).transpose(); };
-  return {value(0), value(1), value(2), value(3), value(4), value(5)};
+  const auto value = [&](int orderU, int orderV) -> Eigen::Vector3d {
+    return jets_[orderV].block<1, 3>(column, 3 * (orderU * sideCount + 2 * seam + side)).transpose();
+  };
+  return {value(0, 0), value(1, 0), value(0, 1), value(2, 0), value(1, 1), value(0, 2)};
 }
 
 Eigen::Vector3d FaceSeams::position(int seam, int column) const {
-  const auto& s = grids_[0];
-  return 0.5 * (s.block<1, 3>(2 * seam, 3 * column) + s.block<1, 3>(2 * seam + 1, 3 * column)).transpose();
+  const auto sides = jets_[0].block<1, 6>(column, 6 * seam);
+  return 0.5 * (sides.leftCols<3>() + sides.rightCols<3>()).transpose();
 }
 
 }  // namespace mien

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "ClosedCurves.h"
 #include "FaceSurface.h"
-#include "PDESurface.h"
+#include "HarmonicSplit.h"
 #include "SeamSummary.h"
 
 #include <array>
@@ -24,7 +25,7 @@ class FaceSeams {
   FaceSeams(const FaceSurfaceOptions& options, int pointsPerCurve, int columns = defaultColumns);
 
   /// One sentence when the scheme's conditions determine no surface, or nothing.
-  const std::string& fault() const { return surface_.fault(); }
+  const std::string& fault() const { return fault_; }
 
   /// Measures all seams of new curves.
   void setCurves(const ClosedCurves& curves);
@@ -49,11 +50,20 @@ class FaceSeams {
   const SeamSummary& frontal(int seam) const { return frontal_[seam]; }
 
  private:
+  void addSide(const SurfacePiece& piece, int row);
+  void computeJets(const ClosedCurves& curves);
   void measure(int seam);
 
   Eigen::VectorXd v_;
-  PDESurface<double> surface_;              ///< rows: seam by seam, both sides
-  std::array<RowMajor<double>, 6> grids_;   ///< S, S_u, S_v, S_uu, S_uv, S_vv
+  HarmonicSplit split_;
+  std::string fault_;
+  Eigen::MatrixXd analysis_;
+  std::array<Eigen::MatrixXd, 3> synthesis_;  ///< columns x K, by order of the derivative with respect to v
+  /// Per part of the split, coefficients of curves to coefficients of the seams' sides: 3 x 29 rows; columns x, y, z of
+  /// S of all 16 sides, then of S_u, then of S_uu.
+  std::vector<Eigen::MatrixXd> sides_;
+  Eigen::MatrixXd samples_, ofCurves_, ofSides_;
+  std::array<Eigen::MatrixXd, 3> jets_;  ///< columns x (as in sides_), by order of the derivative with respect to v
   std::vector<SeamMeasures> measures_;
   std::array<SeamSummary, seamCount> whole_, frontal_;
 };
