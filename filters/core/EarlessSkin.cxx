@@ -13,6 +13,7 @@ constexpr double sideBegin = 80.0 * degree;  // the map alone counts from here; 
 constexpr int columnCount = 180;             // 2 degrees each
 constexpr double rowHeight = 2.0;            // mm
 constexpr int earHalfWidth = 10;             // columns: the window of 42 degrees is wider than any ear
+constexpr double earZoneEnd = 150.0 * degree; // the back of the head is left as it is
 constexpr double smoothing = 3.0;            // standard deviation in columns and rows
 
 double smoothStep(double t) {
@@ -32,10 +33,15 @@ Eigen::VectorXd overWindow(const Eigen::VectorXd& row, Pick pick) {
   return result;
 }
 
-/// Morphological opening around the head: spikes narrower than the window go, everything wider stays.
+double columnAzimuth(int column) { return -M_PI + 2.0 * degree * column; }
+
+/// Morphological opening beside the head: spikes narrower than the window go, everything wider stays.
 Eigen::VectorXd opened(const Eigen::VectorXd& row) {
   const Eigen::VectorXd eroded = overWindow(row, [](double a, double b) { return std::min(a, b); });
-  return overWindow(eroded, [](double a, double b) { return std::max(a, b); });
+  Eigen::VectorXd result = overWindow(eroded, [](double a, double b) { return std::max(a, b); });
+  for (int c = 0; c < columnCount; ++c)
+    if (std::abs(columnAzimuth(c)) > earZoneEnd) result[c] = row[c];
+  return result;
 }
 
 /// Gaussian mean of the finite values of `map` around a cell, along one direction.
@@ -64,7 +70,7 @@ EarlessSkin::EarlessSkin(const RadialSkin& skin, double low, double high) : skin
   map_.resize(rows, columnCount);
   for (int r = 0; r < rows; ++r) {
     Eigen::VectorXd ring(columnCount);
-    for (int c = 0; c < columnCount; ++c) ring[c] = skin.radius(-M_PI + 2.0 * degree * c, low + r * rowHeight);
+    for (int c = 0; c < columnCount; ++c) ring[c] = skin.radius(columnAzimuth(c), low + r * rowHeight);
     map_.row(r) = opened(ring);
   }
   map_ = smoothed(smoothed(map_, 0, 1), 1, 0);

@@ -28,8 +28,8 @@ constexpr std::array<Place, FaceLayout::curveCount> places = {{
     {Forehead, 0.0}, {Forehead, 0.22}, {Forehead, 0.43}, {Forehead, 0.63}, {Forehead, 0.83},  // C1 .. C5
     {Brow, 0.0}, {Brow, 0.50}, {Brow, 0.80},                                                  // C6 .. C8
     {UpperLid, 0.0},                                                                          // C9
-    {LowerLid, 0.0}, {LowerLid, 0.15}, {LowerLid, 0.37}, {LowerLid, 0.58}, {LowerLid, 0.79},  // C10 .. C14
-    {NoseTip, 0.0}, {NoseTip, 1.0 / 3.0}, {NoseTip, 2.0 / 3.0},                               // C15 .. C17
+    {LowerLid, 0.0}, {LowerLid, 0.20}, {LowerLid, 0.40}, {LowerLid, 0.60}, {LowerLid, 0.80},  // C10 .. C14
+    {NoseTip, 0.0}, {NoseTip, 0.42}, {NoseTip, 0.72},                               // C15 .. C17
     {NoseBase, 0.0}, {NoseBase, 0.42}, {NoseBase, 0.75},                                      // C18 .. C20
     {UpperLip, 0.0}, {LipLine, 0.0}, {LipLine, 0.0},                                          // C21, C22, C22'
     {LowerLip, 0.0}, {LowerLip, 0.15}, {LowerLip, 0.37}, {LowerLip, 0.66}, {LowerLip, 0.84},  // C23 .. C27
@@ -37,11 +37,12 @@ constexpr std::array<Place, FaceLayout::curveCount> places = {{
 }};
 
 constexpr double foreheadShare = 0.36;               // C1 above the brows, of the height from brows to chin
-constexpr double lidGap = 2.0, lidGapAside = 5.0;    // mm between C9 and C10 at the eye corners, and beside the eyes
-constexpr double lipGap = 1.6, lipGapAside = 5.0;    // mm between C21, C22 and C23 at the mouth corners, and beside
-constexpr double asideWidth = 20.0 * degree;         // over which a gap opens
+constexpr double browLift = 3.0;                     // mm that the brows' outer ends are raised, else the seam C7 folds
+constexpr double lidGap = 2.0, lidGapAside = 7.0;    // mm between C9 and C10 at the eye corners, and beside the eyes
+constexpr double lipGap = 2.2, lipGapAside = 6.0;    // mm between C21, C22 and C23 at the mouth corners, and beside
+constexpr double asideWidth = 13.0 * degree;         // over which a gap opens
 constexpr double cornerWidth = 3.0 * degree;         // beyond a mouth corner, over which the skin takes over
-constexpr double blendBegin = 45.0 * degree, blendEnd = 110.0 * degree;
+constexpr double blendBegin = 45.0 * degree, blendEnd = 130.0 * degree;
 constexpr double jawInset = 1.0;                     // mm above the jaw landmarks, where a horizontal ray still leaves the face
 
 double smoothStep(double t) {
@@ -105,9 +106,10 @@ FaceProfiles::FaceProfiles(const FaceLandmarks& landmarks) : axis_(headAxis(land
   const auto y = [&](int i) { return make.y(i); };
   const auto radius = [&](int i) { return axis_.radius(landmarks[i]); };
   top_ = brow + foreheadShare * (brow - make.y(8));
-  bottom_ = make.meanHeight({4, 12});
+  bottom_ = make.meanHeight({5, 11});
   keys_[Forehead] = MonotoneInterpolant({{0.0, top_}});
-  Knots browKnots = make.at({17, 18, 19, 20, 21, 22, 23, 24, 25, 26});
+  Knots browKnots = make.at({18, 19, 20, 21, 22, 23, 24, 25});
+  append(browKnots, make.at({17, 26}, browLift));
   browKnots.emplace_back(0.0, midBrow);
   keys_[Brow] = MonotoneInterpolant(browKnots);
   keys_[UpperLid] = MonotoneInterpolant(lidKnots(make, {37, 38, 43, 44}, 1.0));
@@ -117,7 +119,7 @@ FaceProfiles::FaceProfiles(const FaceLandmarks& landmarks) : axis_(headAxis(land
   keys_[UpperLip] = MonotoneInterpolant(lipKnots(make, make.at({49, 50, 51, 52, 53}), 1.0));
   keys_[LipLine] = MonotoneInterpolant(lipKnots(make, contactKnots(make, y), 0.0));
   keys_[LowerLip] = MonotoneInterpolant(lipKnots(make, make.at({55, 56, 57, 58, 59}), -1.0));
-  keys_[Jaw] = MonotoneInterpolant(make.at({4, 5, 6, 7, 8, 9, 10, 11, 12}, jawInset));
+  keys_[Jaw] = MonotoneInterpolant(make.at({5, 6, 7, 8, 9, 10, 11}, jawInset));
   Knots lipRadii = contactKnots(make, radius);
   lipRadii.emplace_back(make.azimuth(48), radius(48));
   lipRadii.emplace_back(make.azimuth(54), radius(54));

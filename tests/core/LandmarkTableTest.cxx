@@ -1,0 +1,79 @@
+#include "LandmarkTable.h"
+
+#include "SyntheticHead.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace mien;
+
+namespace {
+
+/// A right file; line `changed` (the header is line 1) is replaced by `text`.
+std::string landmarkFile(const std::string& header, bool vertices, int changed = 0, const std::string& text = {}) {
+  std::ostringstream file;
+  file << (changed == 1 ? text : header) << "\n";
+  for (int i = 0; i < 68; ++i) {
+    if (changed == i + 2) file << text << "\n";
+    else if (vertices) file << i << "," << 2 * i << "\r\n";
+    else file << i << "," << i << ".5,2,-3e1\n";
+  }
+  return file.str();
+}
+
+void expectFault(const std::string& file, const std::string& start, const std::string& part) {
+  LandmarkTable table;
+  table.hasVertices = true;
+  table.vertices[3] = 77;
+  const std::string fault = parseLandmarks(file, table);
+  EXPECT_EQ(fault.rfind(start, 0), 0u) << fault;
+  EXPECT_NE(fault.find(part), std::string::npos) << fault;
+  EXPECT_EQ(table.vertices[3], 77) << "a refused file must leave what was there";
+}
+
+}  // namespace
+
+TEST(LandmarkTable, ReadsPositions) {
+  LandmarkTable table;
+  ASSERT_EQ(parseLandmarks(landmarkFile("landmark,x,y,z", false), table), "");
+  EXPECT_FALSE(table.hasVertices);
+  EXPECT_EQ(table.positions[67], Eigen::Vector3d(67.5, 2.0, -30.0));
+}
+
+TEST(LandmarkTable, ReadsVerticesAndTakesPositionsFromTheMesh) {
+  LandmarkTable table;
+  ASSERT_EQ(parseLandmarks(landmarkFile("landmark,vertex", true), table), "");
+  const TriangleMesh mesh = ellipticHead().mesh();
+  FaceLandmarks landmarks;
+  ASSERT_EQ(placeLandmarks(table, mesh, landmarks), "");
+  EXPECT_EQ(landmarks[10], Eigen::Vector3d(mesh.vertices.row(20)));
+}
+
+TEST(LandmarkTable, ReadsColumnsInAnyOrder) {
+  LandmarkTable table;
+  ASSERT_EQ(parseLandmarks(landmarkFile("landmark,z,x,y", false), table), "");
+  EXPECT_EQ(table.positions[1], Eigen::Vector3d(2.0, -30.0, 1.5));
+}
+
+TEST(LandmarkTable, RefusesAVertexTheMeshDoesNotHave) {
+  LandmarkTable table;
+  ASSERT_EQ(parseLandmarks(landmarkFile("landmark,vertex", true, 5, "3,99999999"), table), "");
+  FaceLandmarks landmarks;
+  EXPECT_NE(placeLandmarks(table, ellipticHead().mesh(), landmarks).find("landmark 3 is vertex 99999999"), std::string::npos);
+}
+
+TEST(LandmarkTable, NamesTheLineAtFault) {
+  expectFault("", "1: ", "header");
+  expectFault(landmarkFile("landmark,x,y", false), "1: ", "header");
+  const std::string header = "landmark,x,y,z";
+  expectFault(landmarkFile(header, false, 4, "68,1,2,3"), "4: ", "no landmark number");
+  expectFault(landmarkFile(header, false, 4, "-1,1,2,3"), "4: ", "no landmark number");
+  expectFault(landmarkFile(header, false, 4, "1,1,2,3"), "4: ", "twice");
+  expectFault(landmarkFile(header, false, 4, "2,1,nan,3"), "4: ", "finite");
+  expectFault(landmarkFile(header, false, 4, "2,1,inf,3"), "4: ", "finite");
+  expectFault(landmarkFile(header, false, 4, "2,1"), "4: ", "finite");
+  expectFault(landmarkFile(header, false, 4, "2,1,2x,3"), "4: ", "finite");
+  expectFault(landmarkFile(header, false, 4, ""), "69: ", "landmark 2 is missing");
+  expectFault(landmarkFile("landmark,vertex", true, 9, "7,1.5"), "9: ", "no vertex number");
+}

@@ -1,0 +1,72 @@
+#include "PipelineErrors.h"
+#include "vtkScanReader.h"
+
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+std::string writeFile(const std::string& name, const std::string& text) {
+  const std::string path = (std::filesystem::temp_directory_path() / ("mien_scan_" + name)).string();
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+std::string errorOf(const std::string& file) {
+  vtkNew<vtkScanReader> reader;
+  mien::PipelineErrors errors;
+  errors.observe(reader);
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+  return errors.first();
+}
+
+void expectTwoTriangles(const std::string& file) {
+  vtkNew<vtkScanReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  vtkPolyData* mesh = reader->GetOutput();
+  ASSERT_EQ(mesh->GetNumberOfPoints(), 4) << file;
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 2) << file;
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  EXPECT_DOUBLE_EQ(bounds[1], 2.0);
+  EXPECT_DOUBLE_EQ(bounds[3], 3.0);
+}
+
+}  // namespace
+
+TEST(ScanReader, SplitsPolygonsOfEveryFormat) {
+  expectTwoTriangles(writeFile("quad.obj", "v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nf 1 2 3 4\n"));
+  expectTwoTriangles(writeFile("quad.off", "OFF\n4 1 0\n0 0 0\n2 0 0\n2 3 0\n0 3 0\n4 0 1 2 3\n"));
+  expectTwoTriangles(writeFile("quad.ply",
+                               "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+                               "float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 "
+                               "0\n2 3 0\n0 3 0\n4 0 1 2 3\n"));
+  expectTwoTriangles(writeFile("quad.stl",
+                               "solid q\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 2 3 "
+                               "0\nendloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 3 0\nvertex 0 3 "
+                               "0\nendloop\nendfacet\nendsolid q\n"));
+}
+
+TEST(ScanReader, NamesTheFileAtFault) {
+  EXPECT_NE(errorOf("/no/such/scan.ply").find("/no/such/scan.ply: there is no such file"), std::string::npos);
+  EXPECT_NE(errorOf(writeFile("scan.xyz", "1 2 3\n")).find("ending"), std::string::npos);
+  EXPECT_NE(errorOf(writeFile("text.ply", "this is no mesh\n")).find("mien_scan_text.ply: "), std::string::npos);
+  EXPECT_NE(errorOf(writeFile("empty.obj", "")).find("mien_scan_empty.obj: "), std::string::npos);
+}
+
+TEST(ScanReader, RefusesAHeaderThatPromisesMoreThanTheFileHolds) {
+  const std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float "
+      "z\nelement face 4000000000\nproperty list uchar int vertex_indices\nend_header\n";
+  EXPECT_NE(errorOf(writeFile("huge.ply", header)).find("mien_scan_huge.ply: "), std::string::npos);
+  EXPECT_NE(errorOf(writeFile("huge.off", "OFF\n2000000000 2000000000 0\n0 0 0\n")).find("mien_scan_huge.off: "),
+            std::string::npos);
+}
