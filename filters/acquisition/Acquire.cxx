@@ -53,7 +53,8 @@ std::string writeCurves(vtkPolyData* curves, const std::string& file)
   writer->SetInputData(curves);
   writer->SetDataModeToBinary();
   writer->SetCompressorTypeToNone();
-  return writer->Write() == 1 ? std::string() : file + ": the curves cannot be written there; check folder and rights";
+  const bool written = writer->Write() == 1 && errors.first().empty() && writer->GetErrorCode() == 0;
+  return written ? std::string() : file + ": the curves cannot be written there; check folder and rights";
 }
 
 } // namespace

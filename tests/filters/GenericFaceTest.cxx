@@ -13,6 +13,8 @@
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
