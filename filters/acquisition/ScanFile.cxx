@@ -1,6 +1,7 @@
 #include "ScanFile.h"
 
 #include "RadialSkin.h"
+#include "ScanHeader.h"
 
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/DefaultTriMesh.hh>
@@ -10,6 +11,7 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <exception>
+#include <fstream>
 
 namespace mien
 {
@@ -35,10 +37,24 @@ public:
   }
 };
 
-bool isKnownFormat(const std::string& file)
+std::string endingOf(const std::string& file)
 {
-  const std::string ending = vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
+  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
+}
+
+bool isKnownFormat(const std::string& ending)
+{
   return ending == ".ply" || ending == ".obj" || ending == ".stl" || ending == ".off";
+}
+
+bool headerIsCredible(const std::string& file)
+{
+  constexpr std::size_t longestHeader = 1 << 16;
+  std::string start(longestHeader, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(stream.gcount()));
+  return !promisesTooMuch(start, endingOf(file), vtksys::SystemTools::FileLength(file));
 }
 
 TriangleMesh toTriangleMesh(const ScanMesh& scan)
@@ -66,7 +82,7 @@ bool readThroughOpenMesh(const std::string& file, ScanMesh& scan)
   }
   catch (const std::exception&)
   {
-    return false; // sizes in a damaged header can ask for more memory than there is
+    return false; // sizes in a damaged file can ask for more memory than there is
   }
 }
 
@@ -76,8 +92,10 @@ std::string readScanFile(const std::string& file, TriangleMesh& mesh)
 {
   if (!vtksys::SystemTools::FileExists(file, true))
     return "there is no such file; give a scan of a head";
-  if (!isKnownFormat(file))
+  if (!isKnownFormat(endingOf(file)))
     return "the ending is none of .ply, .obj, .stl and .off; convert the scan to one of them";
+  if (!headerIsCredible(file))
+    return "the header promises more vertices or faces than the file holds; it is damaged, export the scan again";
   ScanMesh scan;
   if (!readThroughOpenMesh(file, scan))
     return "the file cannot be read as the mesh its ending promises; export the scan again";

@@ -14,8 +14,10 @@
 
 namespace {
 
+/// Tests run side by side: each has files of its own.
 std::string temporary(const std::string& name) {
-  return (std::filesystem::temp_directory_path() / ("mien_acquire_" + name)).string();
+  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  return (std::filesystem::temp_directory_path() / ("mien_acquire_" + test + "_" + name)).string();
 }
 
 std::string writeScan(const std::string& name, double width) {

@@ -11,8 +11,13 @@
 
 namespace {
 
+/// Tests run side by side: each has files of its own.
+std::string testName() {
+  return std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + "_";
+}
+
 std::string writeFile(const std::string& name, const std::string& text) {
-  const std::string path = (std::filesystem::temp_directory_path() / ("mien_scan_" + name)).string();
+  const std::string path = (std::filesystem::temp_directory_path() / ("mien_scan_" + testName() + name)).string();
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }
@@ -55,18 +60,30 @@ TEST(ScanReader, SplitsPolygonsOfEveryFormat) {
                                "0\nendloop\nendfacet\nendsolid q\n"));
 }
 
+TEST(ScanReader, ReadsBinarySTL) {
+  std::string bytes = std::string(80, ' ') + std::string("\2\0\0\0", 4);
+  for (const std::vector<float>& triangle : {std::vector<float>{0, 0, 1, 0, 0, 0, 2, 0, 0, 2, 3, 0},
+                                             std::vector<float>{0, 0, 1, 0, 0, 0, 2, 3, 0, 0, 3, 0}})
+    bytes += std::string(reinterpret_cast<const char*>(triangle.data()), 48) + std::string(2, '\0');
+  expectTwoTriangles(writeFile("binary.stl", bytes));
+}
+
 TEST(ScanReader, NamesTheFileAtFault) {
   EXPECT_NE(errorOf("/no/such/scan.ply").find("/no/such/scan.ply: there is no such file"), std::string::npos);
   EXPECT_NE(errorOf(writeFile("scan.xyz", "1 2 3\n")).find("ending"), std::string::npos);
-  EXPECT_NE(errorOf(writeFile("text.ply", "this is no mesh\n")).find("mien_scan_text.ply: "), std::string::npos);
-  EXPECT_NE(errorOf(writeFile("empty.obj", "")).find("mien_scan_empty.obj: "), std::string::npos);
+  EXPECT_NE(errorOf(writeFile("text.ply", "this is no mesh\n")).find("text.ply: "), std::string::npos);
+  EXPECT_NE(errorOf(writeFile("empty.obj", "")).find("empty.obj: "), std::string::npos);
 }
 
 TEST(ScanReader, RefusesAHeaderThatPromisesMoreThanTheFileHolds) {
-  const std::string header =
-      "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float "
-      "z\nelement face 4000000000\nproperty list uchar int vertex_indices\nend_header\n";
-  EXPECT_NE(errorOf(writeFile("huge.ply", header)).find("mien_scan_huge.ply: "), std::string::npos);
-  EXPECT_NE(errorOf(writeFile("huge.off", "OFF\n2000000000 2000000000 0\n0 0 0\n")).find("mien_scan_huge.off: "),
-            std::string::npos);
+  const std::string vertices = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n";
+  const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  const std::string damaged[] = {
+      writeFile("huge.ply", vertices + "property float x\nproperty float y\nproperty float z\n" + faces),
+      writeFile("huge.off", "OFF\n2000000000 2000000000 0\n0 0 0\n"),
+      writeFile("huge_binary.off", "OFF BINARY\n\xff\xff\xff\x7f\xff\xff\xff\x7f"),
+      writeFile("huge.stl", std::string(80, 'x') + "\xff\xff\xff\xff" + std::string(50, '\1')),
+  };
+  for (const std::string& file : damaged)
+    EXPECT_NE(errorOf(file).find(file + ": the header promises more"), std::string::npos) << errorOf(file);
 }
