@@ -5,19 +5,15 @@
 #include "vtkBoundaryCurveReader.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkScanReader.h"
+#include "vtkSurfaceDistanceFilter.h"
 
-#include "vtkCell.h"
-#include "vtkCellLocator.h"
 #include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkStructuredGrid.h"
-
-#include <Eigen/Geometry>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace {
 
@@ -29,65 +25,23 @@ mien::FaceCurves genericFace() {
   return face;
 }
 
-Eigen::Vector3d pointOf(vtkStructuredGrid* grid, int row, int column) {
-  int size[3];
-  grid->GetDimensions(size);
-  Eigen::Vector3d p;
-  grid->GetPoint(static_cast<vtkIdType>(row) * size[0] + column, p.data());
-  return p;
-}
-
-/// Skin of the reference heads; their eyeballs come after it.
-constexpr vtkIdType skinVertices = 11248;
-
-vtkNew<vtkPolyData> skinOf(const std::string& head) {
-  vtkNew<vtkScanReader> reader;
-  reader->SetFileName(head.c_str());
-  reader->Update();
-  vtkNew<vtkPolyData> skin;
-  skin->SetPoints(reader->GetOutput()->GetPoints());
-  skin->AllocateExact(reader->GetOutput()->GetNumberOfCells(), 3);
-  for (vtkIdType c = 0; c < reader->GetOutput()->GetNumberOfCells(); ++c)
-    if (reader->GetOutput()->GetCell(c)->GetPointId(0) < skinVertices)
-      skin->InsertNextCell(VTK_TRIANGLE, reader->GetOutput()->GetCell(c)->GetPointIds());
-  return skin;
-}
-
-/// Area-weighted RMS distance (mm) of a face's cell centres with z > 50 mm to a surface.
-double frontalDistance(vtkStructuredGrid* grid, vtkPolyData* surface) {
-  vtkNew<vtkCellLocator> locator;
-  locator->SetDataSet(surface);
-  locator->BuildLocator();
-  int size[3], part = 0;
-  grid->GetDimensions(size);
-  double sum = 0.0, total = 0.0;
-  for (int row = 0; row + 1 < size[1]; ++row)
-    for (int column = 0; column + 1 < size[0]; ++column) {
-      const Eigen::Vector3d a = pointOf(grid, row, column), b = pointOf(grid, row, column + 1),
-                            c = pointOf(grid, row + 1, column), d = pointOf(grid, row + 1, column + 1);
-      const Eigen::Vector3d middle = 0.25 * (a + b + c + d);
-      if (middle.z() <= 50.0) continue;
-      const double area = 0.5 * (d - a).cross(c - b).norm();
-      double closest[3], squared = 0.0;
-      vtkIdType cell = 0;
-      locator->FindClosestPoint(middle.data(), closest, cell, part, squared);
-      sum += area * squared;
-      total += area;
-    }
-  return std::sqrt(sum / total);
-}
-
-double distanceOf(const std::string& curves, const std::string& scheme) {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  reader->SetFileName(curves.empty() ? nullptr : curves.c_str());
+double frontalDistance(const std::string& scheme, const std::string& head) {
+  vtkNew<vtkBoundaryCurveReader> curves;
   vtkNew<vtkPDEFaceFilter> face;
-  face->SetInputConnection(reader->GetOutputPort());
+  face->SetInputConnection(curves->GetOutputPort());
   face->SetScheme(scheme);
   face->SetSmoothing(1.0);
   face->SetNumberOfModes(5);
   face->SetResolution(224, 160);
-  face->Update();
-  return frontalDistance(face->GetOutput(), skinOf(referencePath("heads/mean_neutral.ply")));
+  vtkNew<vtkScanReader> scan;
+  scan->SetFileName(head.c_str());
+  vtkNew<vtkSurfaceDistanceFilter> distance;
+  distance->SetInputConnection(face->GetOutputPort());
+  distance->SetReferenceConnection(scan->GetOutputPort());
+  distance->FrontalOnlyOn();
+  distance->LargestComponentOnlyOn();  // the skin without the eyeballs
+  distance->Update();
+  return distance->GetRMSDistance(0);
 }
 
 }  // namespace
@@ -142,7 +96,7 @@ TEST(GenericFace, EarsDoNotShow) {
 
 TEST(GenericFace, LiesOnTheMeanHead) {
   MIEN_REQUIRE_REFERENCE("heads/mean_neutral.ply");
-  EXPECT_LT(distanceOf("", "four-curve"), 0.55);
+  EXPECT_LT(frontalDistance("four-curve", referencePath("heads/mean_neutral.ply")), 0.55);
 }
 
 TEST(GenericFace, IsWhatTheDocumentedCommandMeasures) {
