@@ -30,8 +30,10 @@ class ModeOperator {
 
  private:
   double absoluteSum(double u) const;
+  std::vector<double> lebesgueSamples() const;
 
-  double begin_, length_;
+  double begin_, length_, rate_;
+  std::vector<double> nodes_;    ///< u of the conditions and the ends of the interval, ascending
   ModeBasis basis_;
   ExtendedMatrix coefficients_;  ///< inverse of the conditions applied to the basis
   std::vector<bool> isValue_;

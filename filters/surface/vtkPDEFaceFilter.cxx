@@ -2,6 +2,7 @@
 
 #include "BoundaryCurveData.h"
 #include "FaceSurface.h"
+#include "MouthCorners.h"
 #include "SurfaceGrid.h"
 
 #include "vtkInformation.h"
@@ -21,25 +22,6 @@ namespace
 
 constexpr int minimumColumns = 3;
 
-/// v of the mouth's right and left corner: the ends of the inner lip contour, else of the open samples.
-std::pair<double, double> mouthCorners(const mien::FaceCurves& face)
-{
-  const mien::FeaturePoint* left = face.feature("2.4");
-  const mien::FeaturePoint* right = face.feature("2.5");
-  if (left && right)
-    return { std::min(left->v, right->v), std::max(left->v, right->v) };
-  const auto gap = (face.curves.curve(mien::FaceLayout::upperLip) - face.curves.curve(mien::FaceLayout::lowerLip)).eval();
-  int first = -1, last = -1;
-  for (int j = 0; j < gap.rows(); ++j)
-    if (gap.row(j).norm() > 1e-9)
-    {
-      first = first < 0 ? j : first;
-      last = j;
-    }
-  const double step = 2.0 * M_PI / face.curves.pointsPerCurve;
-  return first < 0 ? std::make_pair(0.0, 0.0) : std::make_pair((first - 1) * step, (last + 1) * step);
-}
-
 /// The grid with everything but its extent.
 mien::SurfaceGridLayout faceLayout(const mien::RowLayout& rows, int columns, const mien::FaceCurves& face)
 {
@@ -50,7 +32,9 @@ mien::SurfaceGridLayout faceLayout(const mien::RowLayout& rows, int columns, con
     layout.patchOfCells.push_back(rows.rows()[i].patch);
   layout.columns = columns;
   layout.slitRow = rows.upperLipRow();
-  std::tie(layout.slitBegin, layout.slitEnd) = mouthCorners(face);
+  const mien::MouthCorners mouth(face);
+  layout.slitBegin = mouth.begin;
+  layout.slitEnd = mouth.end;
   return layout;
 }
 

@@ -1,0 +1,108 @@
+#include "SmoothingSweep.h"
+
+#include "RandomCurves.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+using namespace mien;
+
+namespace {
+
+SmoothingSweepOptions smallSweep() {
+  SmoothingSweepOptions options;
+  options.schemes = {"four-curve", "spline"};
+  options.smoothing = {0.5, 1.0, 3.0, 100.0};
+  options.rows = 29;
+  options.columns = 24;
+  return options;
+}
+
+double valueOf(const SweepRecord& record, const char* measure) { return record.values[sweepMeasure(measure)]; }
+
+}  // namespace
+
+TEST(SmoothingSweep, MeasuresEverySchemeAtEveryA) {
+  const auto records = smoothingSweep(randomFace(), smallSweep());
+  ASSERT_TRUE(records);
+  ASSERT_EQ(records->size(), 8u);
+  for (size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ((*records)[i].scheme, i < 4 ? "four-curve" : "spline");
+    EXPECT_EQ((*records)[i].smoothing, smallSweep().smoothing[i % 4]);
+  }
+  EXPECT_EQ(valueOf((*records)[5], "max_departure_mm"), 0.0);  // the reference is a = 1
+  EXPECT_GT(valueOf((*records)[4], "max_departure_mm"), 0.0);
+  EXPECT_GT(valueOf((*records)[4], "max_departure_mm"), valueOf((*records)[4], "rms_departure_mm"));
+  EXPECT_LT(valueOf((*records)[5], "g1_max_deg"), 1e-6);
+  EXPECT_TRUE(std::isnan(valueOf((*records)[5], "distance_rms_mm")));
+}
+
+TEST(SmoothingSweep, WhatASchemeRefusesIsARecordWithItsReason) {
+  const auto records = smoothingSweep(randomFace(), smallSweep());
+  ASSERT_TRUE(records);
+  const SweepRecord& refused = (*records)[3];  // four-curve at a = 100
+  EXPECT_NE(refused.reason.find("a (N + 1) = 250"), std::string::npos);
+  for (const double value : refused.values) EXPECT_TRUE(std::isnan(value));
+  EXPECT_EQ((*records)[7].reason, "");
+  EXPECT_TRUE(std::isfinite(valueOf((*records)[7], "area_mm2")));
+}
+
+TEST(SmoothingSweep, ThreadsChangeNothing) {
+  SmoothingSweepOptions options = smallSweep();
+  const FaceCurves face = randomFace();
+  const auto one = smoothingSweep(face, options);
+  options.threads = 4;
+  const auto four = smoothingSweep(face, options);
+  ASSERT_TRUE(one && four);
+  for (size_t i = 0; i < one->size(); ++i)
+    EXPECT_EQ(std::memcmp((*one)[i].values.data(), (*four)[i].values.data(), (*one)[i].values.size() * sizeof(double)), 0) << i;
+}
+
+TEST(SmoothingSweep, CancelledHalfWayLeavesNothing) {
+  for (const int threads : {1, 3}) {
+    SmoothingSweepOptions options = smallSweep();
+    options.threads = threads;
+    int asked = 0;
+    double last = 0.0;
+    const auto records = smoothingSweep(randomFace(), options, [&](double share) {
+      EXPECT_GT(share, last);
+      last = share;
+      return ++asked < 2;
+    });
+    EXPECT_FALSE(records);
+    EXPECT_LE(asked, 2);
+  }
+}
+
+TEST(SmoothingSweep, ProgressRunsToTheEnd) {
+  double last = 0.0;
+  smoothingSweep(randomFace(), smallSweep(), [&](double share) { return last = share, true; });
+  EXPECT_EQ(last, 1.0);
+}
+
+TEST(SmoothingSweep, AsksForDistancesWhereItCan) {
+  SmoothingSweepOptions options = smallSweep();
+  options.distance = [](const FaceSample& sample) { return sample.point(0, 0).norm(); };
+  const auto records = smoothingSweep(randomFace(), options);
+  ASSERT_TRUE(records);
+  EXPECT_GT(valueOf((*records)[0], "distance_rms_mm"), 50.0);
+  EXPECT_TRUE(std::isnan(valueOf((*records)[3], "distance_rms_mm")));
+}
+
+TEST(SmoothingSweep, FaultsSayWhatIsAllowed) {
+  const auto fault = [](auto change) {
+    SmoothingSweepOptions options = smallSweep();
+    change(options);
+    return describeFault(options, 40);
+  };
+  EXPECT_EQ(fault([](auto&) {}), "");
+  EXPECT_NE(fault([](auto& o) { o.schemes.push_back("five"); }).find("no scheme 'five'"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.schemes.clear(); }).find("at least one"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.smoothing.push_back(0.0); }).find("0 < a"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.smoothing.clear(); }).find("at least one"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.surface.modes = 99; }).find("0 .. 20"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.rows = 5; }).find("5x24"), std::string::npos);
+  EXPECT_NE(fault([](auto& o) { o.reference = -1.0; }).find("0 < a"), std::string::npos);
+}
