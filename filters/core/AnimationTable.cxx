@@ -69,6 +69,8 @@ WeightProfile parseProfile(const Json& json) {
   if (shape == "gap") {
     profile.gapUpper = parseCurve(json.at("upper"));
     profile.gapLower = parseCurve(json.at("lower"));
+    profile.gapFrom = json.value("from", std::string());
+    profile.gapTo = json.value("to", std::string());
     if (profile.gapUpper >= profile.gapLower) refuse("the upper curve of a gap must come before the lower");
     return profile;
   }

@@ -73,20 +73,39 @@ void copyOpening(const Eigen::VectorXd& gap, int start, int step, double middle,
   }
 }
 
+/// The gap between the corners of an eye, falling to 0 over `cornerTaper` beyond them.
+void copyBetween(const Eigen::VectorXd& gap, double from, double to, Eigen::VectorXd& opening) {
+  constexpr double cornerTaper = 12.0 * M_PI / 180.0;
+  for (int j = 0; j < gap.size(); ++j) {
+    const double v = 2.0 * M_PI * j / static_cast<double>(gap.size());
+    const double beyond = std::max({from - v, v - to, 0.0}) / cornerTaper;
+    if (beyond < 1.0) opening[j] = gap[j] * std::pow(std::cos(0.5 * M_PI * beyond), 2);
+  }
+}
+
+std::string sampleGap(const WeightProfile& profile, const FaceCurves& face, const FeaturePoint& feature,
+                      Eigen::VectorXd& weights) {
+  const int k = face.curves.pointsPerCurve;
+  const Eigen::VectorXd gap = gapBetween(face.curves, profile.gapUpper, profile.gapLower);
+  const FeaturePoint* from = firstKnown(face, profile.gapFrom);
+  const FeaturePoint* to = firstKnown(face, profile.gapTo);
+  const int start = static_cast<int>(std::lround(feature.v * k / (2.0 * M_PI))) % k;
+  if (from && to)
+    copyBetween(gap, from->v, to->v, weights);
+  else
+    for (int step : {-1, 1}) copyOpening(gap, start, step, 0.5 * k, weights);
+  const double atFeature = cardinalWeights(k, feature.v).dot(weights);
+  if (!(atFeature > 1e-6)) return "there is no opening between its curves at feature point " + feature.id;
+  weights /= atFeature;
+  return {};
+}
+
 }  // namespace
 
 std::string WeightProfile::sample(const FaceCurves& face, const FeaturePoint& feature, Eigen::VectorXd& weights) const {
   const int k = face.curves.pointsPerCurve;
   weights = Eigen::VectorXd::Zero(k);
-  if (followsGap()) {
-    const Eigen::VectorXd gap = gapBetween(face.curves, gapUpper, gapLower);
-    const int start = static_cast<int>(std::lround(feature.v * k / (2.0 * M_PI))) % k;
-    for (int step : {-1, 1}) copyOpening(gap, start, step, 0.5 * k, weights);
-    const double atFeature = cardinalWeights(k, feature.v).dot(weights);
-    if (!(atFeature > 1e-6)) return "there is no opening between its curves at feature point " + feature.id;
-    weights /= atFeature;
-    return {};
-  }
+  if (followsGap()) return sampleGap(*this, face, feature, weights);
   std::vector<PlacedKnot> placed;
   const std::string fault = placeKnots(knots, face, placed);
   for (int j = 0; j < k && fault.empty(); ++j) weights[j] = evaluate(placed, 2.0 * M_PI * j / k);

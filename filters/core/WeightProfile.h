@@ -28,11 +28,13 @@ struct ProfileKnot {
 ///
 /// Either knots with shapes between them, 0 outside; or, with `gapUpper` and `gapLower` >= 0, the gap
 /// between two curves around a feature point in units of the gap there, as a lid needs that is to close
-/// over the whole eye.
+/// over the whole eye: between the corners `gapFrom` and `gapTo` and a little beyond, or, on a face without
+/// these, as far as the gap narrows.
 struct WeightProfile {
   std::vector<ProfileKnot> knots;
   int gapUpper = -1;
   int gapLower = -1;
+  std::string gapFrom, gapTo;  ///< feature points, in ascending v
 
   bool followsGap() const { return gapUpper >= 0; }
 
