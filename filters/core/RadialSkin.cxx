@@ -30,6 +30,13 @@ double hit(const std::array<Eigen::Vector2d, 3>& across, const std::array<double
   return distance;
 }
 
+/// Most triangles of a bin lie wholly above or below a ray.
+bool spansHeight(const TriangleMesh& mesh, int triangle, double y) {
+  const double a = mesh.vertices(mesh.triangles(triangle, 0), 1), b = mesh.vertices(mesh.triangles(triangle, 1), 1),
+               c = mesh.vertices(mesh.triangles(triangle, 2), 1);
+  return std::min({a, b, c}) <= y && y <= std::max({a, b, c});
+}
+
 int binOf(double azimuth) { return static_cast<int>(std::floor(azimuth / degree)); }
 
 }  // namespace
@@ -56,6 +63,7 @@ double RadialSkin::radius(double azimuth, double y) const {
   double outermost = std::numeric_limits<double>::quiet_NaN();
   const double s = std::sin(azimuth), c = std::cos(azimuth);
   for (const int triangle : bins_[(binOf(std::remainder(azimuth, 2.0 * M_PI)) + binCount) % binCount]) {
+    if (!spansHeight(mesh_, triangle, y)) continue;
     std::array<Eigen::Vector2d, 3> across;
     std::array<double, 3> along;
     for (int i = 0; i < 3; ++i) {
