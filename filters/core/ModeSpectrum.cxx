@@ -91,11 +91,12 @@ double ModeSpectrum::meanSquare(int part) const {
   return sum;
 }
 
-std::vector<ModeMeasures> ModeSpectrum::measures() const {
+std::vector<ModeMeasures> ModeSpectrum::measures(const std::function<bool()>& goOn) const {
   std::vector<ModeMeasures> all(partCount());
   const Eigen::RowVector3d centre = centroid();
   double total = 0.0;
   for (int part = partCount() - 1; part >= 0; --part) {
+    if (!goOn()) return {};
     const double energy = meanSquare(part);
     RowMajor<double> grid = contribution(part);
     for (Eigen::Index i = 0; part == 0 && i < columnCount_; ++i) grid.middleCols<3>(3 * i).rowwise() -= centre;

@@ -3,6 +3,7 @@
 #include "BoundaryField.h"
 #include "FaceSurface.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,8 @@ class ModeSpectrum {
   RowMajor<double> contribution(int part) const;
 
   /// All parts' measures, in their order.
-  std::vector<ModeMeasures> measures() const;
+  /// @param goOn  asked before each part; when it says no, the result is empty
+  std::vector<ModeMeasures> measures(const std::function<bool()>& goOn = [] { return true; }) const;
 
   /// The mean of the surface over u and v, mm.
   Eigen::RowVector3d centroid() const;

@@ -1,6 +1,7 @@
 #include "SurfaceGrid.h"
 
 #include "PDESurface.h"
+#include "SurfaceCurvature.h"
 #include "SurfaceNormals.h"
 
 #include "vtkAOSDataArrayTemplate.h"
@@ -102,12 +103,12 @@ vtkSmartPointer<vtkUnsignedCharArray> hiddenCells(const SurfaceGridLayout& layou
 }
 
 template <class Scalar>
-vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>> vectorArray(const char* name, vtkIdType size)
+vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>> newArray(const char* name, int components, vtkIdType size)
 {
   auto array = vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>>::Take(vtkArrayDownCast<vtkAOSDataArrayTemplate<Scalar>>(
     vtkDataArray::CreateDataArray(vtkTypeTraits<Scalar>::VTKTypeID())));
   array->SetName(name);
-  array->SetNumberOfComponents(3);
+  array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(size);
   return array;
 }
@@ -119,7 +120,7 @@ public:
   TypedSurfaceGrid(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split, int curveCount,
     const SurfaceGridLayout& layout)
     : Layout(layout)
-    , Surface(pieces, split, curveCount, columnParameters(layout))
+    , Surface(pieces, split, curveCount, columnParameters(layout), layout.curvatures ? 2 : 1)
     , TextureCoordinates(textureCoordinates(layout))
     , PatchIds(patchIds(layout))
     , HiddenCells(hiddenCells(layout))
@@ -132,24 +133,26 @@ public:
   {
     this->Surface.setCurves(curves);
     const vtkIdType size = static_cast<vtkIdType>(columnsOf(this->Layout)) * rowsOf(this->Layout);
-    const auto points = vectorArray<Scalar>("Points", size);
-    const auto normals = vectorArray<Scalar>("Normals", size);
-    const auto su = derivatives ? vectorArray<Scalar>("Su", size) : nullptr;
-    const auto sv = derivatives ? vectorArray<Scalar>("Sv", size) : nullptr;
-    if (!this->computeRows({ points, normals, su, sv }, self))
-      return;
-    this->assemble(points, output);
-    output->GetPointData()->SetNormals(normals);
-    for (const auto& array : { su, sv })
-      if (array)
-        output->GetPointData()->AddArray(array);
+    Arrays arrays;
+    arrays.points = newArray<Scalar>("Points", 3, size);
+    arrays.normals = newArray<Scalar>("Normals", 3, size);
+    if (derivatives)
+      arrays.derivatives = { newArray<Scalar>("Su", 3, size), newArray<Scalar>("Sv", 3, size) };
+    if (this->Layout.curvatures)
+      for (const char* name : { "MeanCurvature", "GaussianCurvature", "MaximumCurvature", "MinimumCurvature" })
+        arrays.curvatures.push_back(newArray<Scalar>(name, 1, size));
+    if (this->computeRows(arrays, self))
+      this->assemble(arrays, output);
   }
 
 private:
   using Array = vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>>;
+  using Grid = typename PDESurface<Scalar>::Grid;
   struct Arrays
   {
-    Array points, normals, su, sv;
+    Array points, normals;
+    std::vector<Array> derivatives; ///< S_u, S_v, where wanted
+    std::vector<Array> curvatures;  ///< mean, Gaussian, largest and smallest, where wanted
   };
 
   /// All rows in slabs; false when the algorithm was aborted.
@@ -174,30 +177,59 @@ private:
 
   void computeTask(const Arrays& arrays, vtkIdType first, vtkIdType last) const
   {
-    using Grid = typename PDESurface<Scalar>::Grid;
     const vtkIdType columns = columnsOf(this->Layout), rows = last - first;
     const auto grid = [&](const Array& array) {
       return Grid(array->GetPointer(3 * first * columns), rows, 3 * columns);
     };
     thread_local RowMajor<Scalar> scratch;
-    if (!arrays.su)
-      scratch.resize(2 * rows, 3 * columns);
-    const Grid su = arrays.su ? grid(arrays.su) : Grid(scratch.data(), rows, 3 * columns);
-    const Grid sv = arrays.sv ? grid(arrays.sv) : Grid(scratch.data() + rows * 3 * columns, rows, 3 * columns);
+    scratch.resize(2 * rows, 3 * columns);
+    const bool kept = !arrays.derivatives.empty();
+    const Grid su = kept ? grid(arrays.derivatives[0]) : Grid(scratch.data(), rows, 3 * columns);
+    const Grid sv = kept ? grid(arrays.derivatives[1]) : Grid(scratch.data() + rows * 3 * columns, rows, 3 * columns);
     const int row = this->Layout.extent[2] + static_cast<int>(first);
     this->Surface.evaluate(0, 0, row, grid(arrays.points));
     this->Surface.evaluate(1, 0, row, su);
     this->Surface.evaluate(0, 1, row, sv);
     surfaceNormals<Scalar>(su, sv, grid(arrays.normals));
+    if (!arrays.curvatures.empty())
+      this->computeCurvatures(arrays.curvatures, first, su, sv);
   }
 
-  void assemble(const Array& coordinates, vtkStructuredGrid* output) const
+  /// Of the rows that su and sv hold; `first` counts the rows of the extent.
+  void computeCurvatures(const std::vector<Array>& arrays, vtkIdType first, const Grid& su, const Grid& sv) const
+  {
+    const vtkIdType columns = columnsOf(this->Layout), rows = su.rows();
+    thread_local RowMajor<Scalar> scratch;
+    scratch.resize(3 * rows, 3 * columns);
+    const auto second = [&](int orderU, int orderV) {
+      const Grid grid(scratch.data() + orderV * rows * 3 * columns, rows, 3 * columns);
+      this->Surface.evaluate(orderU, orderV, this->Layout.extent[2] + static_cast<int>(first), grid);
+      return grid;
+    };
+    const Grid suu = second(2, 0), suv = second(1, 1), svv = second(0, 2);
+    for (vtkIdType i = 0; i < rows * columns; ++i)
+    {
+      const auto at = [i](const Grid& grid) {
+        return Eigen::Vector3d(Eigen::Map<const Eigen::Matrix<Scalar, 3, 1>>(grid.data() + 3 * i).template cast<double>());
+      };
+      const SurfaceCurvature curvature({ Eigen::Vector3d::Zero(), at(su), at(sv), at(suu), at(suv), at(svv) });
+      const double values[] = { curvature.mean, curvature.gaussian, curvature.maximum, curvature.minimum };
+      for (size_t k = 0; k < arrays.size(); ++k)
+        arrays[k]->SetValue(first * columns + i, static_cast<Scalar>(values[k]));
+    }
+  }
+
+  void assemble(const Arrays& arrays, vtkStructuredGrid* output) const
   {
     vtkNew<vtkPoints> points;
-    points->SetData(coordinates);
+    points->SetData(arrays.points);
     output->SetExtent(const_cast<int*>(this->Layout.extent));
     output->SetPoints(points);
+    output->GetPointData()->SetNormals(arrays.normals);
     output->GetPointData()->SetTCoords(this->TextureCoordinates);
+    for (const auto* group : { &arrays.derivatives, &arrays.curvatures })
+      for (const Array& array : *group)
+        output->GetPointData()->AddArray(array);
     output->GetCellData()->AddArray(this->PatchIds);
     if (this->HiddenCells)
       output->GetCellData()->AddArray(this->HiddenCells);
@@ -216,7 +248,7 @@ bool SurfaceGridLayout::operator==(const SurfaceGridLayout& other) const
 {
   return this->faceU == other.faceU && this->patchOfCells == other.patchOfCells && this->columns == other.columns &&
     this->slitRow == other.slitRow && this->slitBegin == other.slitBegin && this->slitEnd == other.slitEnd &&
-    std::equal(this->extent, this->extent + 6, other.extent);
+    this->curvatures == other.curvatures && std::equal(this->extent, this->extent + 6, other.extent);
 }
 
 std::unique_ptr<SurfaceGrid> SurfaceGrid::make(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split,

@@ -23,6 +23,7 @@ struct SurfaceGridLayout
   int slitRow = -1;               ///< row of cells that is open, or -1
   double slitBegin = 0.0;         ///< v between which it is open, radians
   double slitEnd = 0.0;
+  bool curvatures = false;        ///< `MeanCurvature`, `GaussianCurvature`, `MaximumCurvature`, `MinimumCurvature`
   int extent[6] = { 0, -1, 0, -1, 0, 0 }; ///< wanted: columns, rows
 
   bool operator==(const SurfaceGridLayout& other) const;

@@ -98,14 +98,19 @@ int vtkPDEFaceFilter::FillOutputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
+bool vtkPDEFaceFilter::CheckResolution()
+{
+  if (this->NumberOfRows >= mien::RowLayout::minimumRows && this->NumberOfColumns >= minimumColumns)
+    return true;
+  vtkErrorMacro(<< "a resolution of " << this->NumberOfRows << "x" << this->NumberOfColumns << " is too coarse; at least "
+                << mien::RowLayout::minimumRows << "x" << minimumColumns << " is needed");
+  return false;
+}
+
 int vtkPDEFaceFilter::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  if (this->NumberOfRows < mien::RowLayout::minimumRows || this->NumberOfColumns < minimumColumns)
-  {
-    vtkErrorMacro(<< "a resolution of " << this->NumberOfRows << "x" << this->NumberOfColumns << " is too coarse; at least "
-                  << mien::RowLayout::minimumRows << "x" << minimumColumns << " is needed");
+  if (!this->CheckResolution())
     return 0;
-  }
   const int extent[6] = { 0, this->NumberOfColumns, 0, this->NumberOfRows - 1, 0, 0 };
   vtkInformation* info = outputs->GetInformationObject(0);
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
@@ -118,15 +123,21 @@ int vtkPDEFaceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   mien::FaceCurves face;
   if (!this->ReadInput(inputs, face))
     return 0;
+  this->MakeSurface(face, this->GetOptions(), outputs);
+  return 1;
+}
+
+void vtkPDEFaceFilter::MakeSurface(
+  const mien::FaceCurves& face, const mien::FaceSurfaceOptions& options, vtkInformationVector* outputs)
+{
   const mien::RowLayout rows(this->NumberOfRows, this->UniformRows);
   mien::SurfaceGridLayout layout = faceLayout(rows, this->NumberOfColumns, face);
+  layout.curvatures = this->GenerateCurvatures;
   outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), layout.extent);
-  vtkStructuredGrid* output = vtkStructuredGrid::GetData(outputs);
   if (layout.extent[1] < layout.extent[0] || layout.extent[3] < layout.extent[2])
-    return 1;
-  this->Impl->prepare(this->GetOptions(), rows, layout, face.curves.pointsPerCurve, this->OutputPointsPrecision == DOUBLE_PRECISION);
-  this->Impl->grid->execute(face.curves, this->GenerateDerivatives, this, output);
-  return 1;
+    return;
+  this->Impl->prepare(options, rows, layout, face.curves.pointsPerCurve, this->OutputPointsPrecision == DOUBLE_PRECISION);
+  this->Impl->grid->execute(face.curves, this->GenerateDerivatives, this, vtkStructuredGrid::GetData(outputs));
 }
 
 void vtkPDEFaceFilter::PrintSelf(ostream& os, vtkIndent indent)
@@ -136,5 +147,6 @@ void vtkPDEFaceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfColumns: " << this->NumberOfColumns << "\n";
   os << indent << "UniformRows: " << this->UniformRows << "\n";
   os << indent << "GenerateDerivatives: " << this->GenerateDerivatives << "\n";
+  os << indent << "GenerateCurvatures: " << this->GenerateCurvatures << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
 }

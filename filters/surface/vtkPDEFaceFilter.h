@@ -5,7 +5,7 @@
  * Input: vtkPolyData, the boundary curves of BoundaryCurveData.h (29 curves of K points, mm).
  * Output: vtkStructuredGrid of (NumberOfColumns + 1) x NumberOfRows points, v fastest, the last column
  * repeating the first. Point arrays `Normals` (unit, outwards, from analytic derivatives),
- * `TextureCoordinates` (v / 2 pi, 1 - u over the whole face), optionally `Su`, `Sv` (mm); cell array
+ * `TextureCoordinates` (v / 2 pi, 1 - u over the whole face), optionally `Su`, `Sv` (mm) and the curvatures; cell array
  * `PatchId` (0 .. 8). Cells between C22 and C22' are blanked between the mouth corners only.
  * VTK winds these cells inwards. Give the grid to mappers, writers and locators through vtkGeometryFilter.
  *
@@ -55,6 +55,15 @@ public:
   ///@}
 
   ///@{
+  /** Whether `MeanCurvature`, `MaximumCurvature`, `MinimumCurvature` (the principal ones, 1/mm) and `GaussianCurvature` (1/mm^2)
+   *  are added, from analytic second derivatives. A sphere of radius R seen from outside has the mean curvature +1 / R. NaN where
+   *  the surface has no tangent plane; a seam's row belongs to the patch above. Default off. */
+  vtkSetMacro(GenerateCurvatures, bool);
+  vtkGetMacro(GenerateCurvatures, bool);
+  vtkBooleanMacro(GenerateCurvatures, bool);
+  ///@}
+
+  ///@{
   /** vtkAlgorithm::SINGLE_PRECISION (default) or DOUBLE_PRECISION, for points and arrays. */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DOUBLE_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -67,6 +76,13 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /// False, after an error, when the resolution is too coarse.
+  bool CheckResolution();
+
+  /// Writes the surface that `options` make of the curves into the part of the grid that is wanted on port 0; leaves it empty
+  /// when aborted.
+  void MakeSurface(const mien::FaceCurves& face, const mien::FaceSurfaceOptions& options, vtkInformationVector* outputs);
+
 private:
   vtkPDEFaceFilter(const vtkPDEFaceFilter&) = delete;
   void operator=(const vtkPDEFaceFilter&) = delete;
@@ -77,6 +93,7 @@ private:
   int NumberOfColumns = 40;
   bool UniformRows = false;
   bool GenerateDerivatives = false;
+  bool GenerateCurvatures = false;
   int OutputPointsPrecision = SINGLE_PRECISION;
 };
 

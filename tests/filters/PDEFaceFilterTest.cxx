@@ -68,21 +68,69 @@ TEST(PDEFaceFilter, GivesTheDocumentedGrid) {
   EXPECT_EQ(at(face.grid(), points->GetArray("TextureCoordinates"), 40, 55)[1], 0.0);
 }
 
+// Curves of a torus about y, its tube of radius 150 seen from the outer side.
+TEST(PDEFaceFilter, CurvaturesOfATorusComeOut) {
+  const double axisDistance = 40.0, tube = 150.0;
+  const auto angle = [](double chain) { return 0.8 + 1.5 * chain / 27.0; };
+  FaceCurves torus = randomFace();
+  for (int c = 0; c < mien::FaceLayout::curveCount; ++c)
+    for (int j = 0; j < 40; ++j) {
+      const double v = 2.0 * M_PI * j / 40, a = angle(c > mien::FaceLayout::upperLip ? c - 1 : c);
+      const double radius = axisDistance + tube * std::sin(a);
+      torus.curves.curve(c).row(j) << -radius * std::sin(v), tube * std::cos(a), -radius * std::cos(v);
+    }
+  Face face(torus);
+  face.filter->SetGenerateCurvatures(true);
+  face.filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  face.filter->SetSmoothing(0.01);
+  face.filter->Update();
+  EXPECT_EQ(face.errors.count(), 0);
+  const auto value = [&](const char* name, int j) { return at(face.grid(), face.grid()->GetPointData()->GetArray(name), 11, j)[0]; };
+  // away from the natural ends the spline follows the arc: an interval turns by 3.2 degrees
+  for (int j = 16; j < 40; ++j) {
+    double point[3];
+    int ijk[3] = {11, j, 0};
+    face.grid()->GetPoint(vtkStructuredData::ComputePointIdForExtent(face.grid()->GetExtent(), ijk), point);
+    const double radius = std::hypot(point[0], point[2]);
+    const double aroundAxis = (radius - axisDistance) / (tube * radius), aroundTube = 1.0 / tube;
+    EXPECT_NEAR(value("MaximumCurvature", j), std::max(aroundTube, aroundAxis), 2e-3 / tube) << j;
+    EXPECT_NEAR(value("MinimumCurvature", j), std::min(aroundTube, aroundAxis), 2e-3 / tube) << j;
+    EXPECT_NEAR(value("MeanCurvature", j), 0.5 * (aroundTube + aroundAxis), 2e-3 / tube) << j;
+    EXPECT_NEAR(value("GaussianCurvature", j), aroundTube * aroundAxis, 4e-3 / (tube * tube)) << j;
+  }
+}
+
+TEST(PDEFaceFilter, CurvaturesAreThereOnlyWhenAskedFor) {
+  Face face;
+  face.filter->Update();
+  EXPECT_EQ(face.grid()->GetPointData()->GetArray("MeanCurvature"), nullptr);
+  face.filter->SetGenerateCurvatures(true);
+  face.filter->Update();
+  ASSERT_NE(face.grid()->GetPointData()->GetArray("MeanCurvature"), nullptr);
+  EXPECT_EQ(face.grid()->GetPointData()->GetArray("MeanCurvature")->GetNumberOfTuples(), 56 * 41);
+  EXPECT_EQ(face.grid()->GetPointData()->GetArray("GaussianCurvature")->GetDataType(), VTK_FLOAT);
+  face.filter->SetGenerateCurvatures(false);
+  face.filter->Update();
+  EXPECT_EQ(face.grid()->GetPointData()->GetArray("MeanCurvature"), nullptr);
+}
+
 TEST(PDEFaceFilter, PiecesWithGhostLevelsEqualTheWhole) {
   Face whole;
+  whole.filter->SetGenerateCurvatures(true);
   whole.filter->SetGenerateDerivatives(true);
   whole.filter->Update();
   for (const int pieces : {2, 3, 7})
     for (const int ghostLevels : {0, 1, 2}) {
       Face part;
       part.filter->SetGenerateDerivatives(true);
+      part.filter->SetGenerateCurvatures(true);
       std::vector<int> owned(56 * 41, 0);
       for (int piece = 0; piece < pieces; ++piece) {
         part.filter->UpdatePiece(piece, pieces, ghostLevels);
         int extent[6];
         part.grid()->GetExtent(extent);
         EXPECT_LT((extent[1] - extent[0] + 1) * (extent[3] - extent[2] + 1), 56 * 41);
-        for (const char* name : {"", "Normals", "TextureCoordinates", "Su", "Sv"})
+        for (const char* name : {"", "Normals", "TextureCoordinates", "Su", "Sv", "MeanCurvature", "MinimumCurvature"})
           for (int j = extent[2]; j <= extent[3]; ++j)
             for (int i = extent[0]; i <= extent[1]; ++i) {
               const auto array = [&](vtkStructuredGrid* g) { return *name ? g->GetPointData()->GetArray(name) : g->GetPoints()->GetData(); };
