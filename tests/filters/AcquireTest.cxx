@@ -2,6 +2,7 @@
 
 #include "BoundaryCurveData.h"
 #include "SyntheticHead.h"
+#include "TemporaryFolder.h"
 #include "vtkBoundaryCurveReader.h"
 
 #include "vtkNew.h"
@@ -14,10 +15,9 @@
 
 namespace {
 
-/// Tests run side by side: each has files of its own.
 std::string temporary(const std::string& name) {
-  const std::string test = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  return (std::filesystem::temp_directory_path() / ("mien_acquire_" + test + "_" + name)).string();
+  static const TemporaryFolder folder;
+  return folder.file(name);
 }
 
 std::string writeScan(const std::string& name, double width) {

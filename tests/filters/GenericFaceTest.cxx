@@ -2,6 +2,7 @@
 #include "BoundaryCurveData.h"
 #include "FaceLayout.h"
 #include "ReferenceData.h"
+#include "TemporaryFolder.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkScanReader.h"
@@ -13,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 
 namespace {
 
@@ -106,7 +106,8 @@ TEST(GenericFace, IsWhatTheDocumentedCommandMeasures) {
   for (int i = 1; i <= 12; ++i)
     options.scans.push_back(referencePath("heads/subject" + std::string(i < 10 ? "0" : "") + std::to_string(i) + "_neutral.ply"));
   options.landmarkFile = referencePath("heads/landmarks68.csv");
-  options.outputFile = (std::filesystem::temp_directory_path() / "mien_generic.vtp").string();
+  const TemporaryFolder folder;
+  options.outputFile = folder.file("generic.vtp");
   options.mean = true;
   ASSERT_EQ(mien::acquire(options), "");
   vtkNew<vtkBoundaryCurveReader> reader;

@@ -1,4 +1,5 @@
 #include "PipelineErrors.h"
+#include "TemporaryFolder.h"
 #include "vtkScanReader.h"
 
 #include "vtkNew.h"
@@ -6,18 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
 namespace {
 
-/// Tests run side by side: each has files of its own.
-std::string testName() {
-  return std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()) + "_";
-}
-
 std::string writeFile(const std::string& name, const std::string& text) {
-  const std::string path = (std::filesystem::temp_directory_path() / ("mien_scan_" + testName() + name)).string();
+  static const TemporaryFolder folder;
+  const std::string path = folder.file(name);
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }
