@@ -1,5 +1,6 @@
 #include "FaceSeams.h"
 
+#include "PDESurface.h"
 #include "RandomCurves.h"
 
 #include <gtest/gtest.h>
@@ -88,4 +89,48 @@ TEST(FaceSeams, KeptOperatorsGiveWhatNewOnesGive) {
   const FaceSeams fresh = seamsOf("tangent", 5, randomFace(40, 2));
   for (int i = 0; i < 400; ++i) EXPECT_EQ(kept.measures(4, i).c2, fresh.measures(4, i).c2);
   EXPECT_EQ(kept.frontal(3).count(), fresh.frontal(3).count());
+}
+
+namespace {
+
+/// S or a derivative of it at the seams, both sides of each, evaluated as a grid.
+RowMajor<double> gridOfSides(const FaceSurfaceOptions& options, const FaceCurves& face, int orderU, int orderV) {
+  const std::vector<SurfacePiece> pieces = facePieces(options, RowLayout(29, false));
+  const size_t perPatch = pieces.size() / FaceLayout::patchCount;
+  std::vector<SurfacePiece> sides;
+  for (size_t patch = 0; patch < FaceLayout::patchCount; ++patch)
+    for (const bool first : {true, false}) {
+      sides.push_back(pieces[first ? patch * perPatch : (patch + 1) * perPatch - 1]);
+      sides.back().u = {first ? 0.0 : 1.0};
+      sides.back().firstRow = static_cast<int>(sides.size()) - 1;
+    }
+  const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(100, 0.0, 2.0 * M_PI * 99 / 100);
+  PDESurface<double> surface(sides, HarmonicSplit(40, options.modes, options.remainder), FaceLayout::curveCount, v, 2);
+  surface.setCurves(face.curves);
+  RowMajor<double> grid(18, 300);
+  surface.evaluate(orderU, orderV, 0, {grid.data(), grid.rows(), grid.cols()});
+  return grid;
+}
+
+}  // namespace
+
+TEST(FaceSeams, JetsAreThoseOfTheSurfaceOnEitherSide) {
+  const FaceCurves face = randomFace();
+  constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+  constexpr Eigen::Vector3d SurfaceJet::* members[] = {&SurfaceJet::s, &SurfaceJet::su, &SurfaceJet::sv, &SurfaceJet::suu, &SurfaceJet::suv, &SurfaceJet::svv};
+  for (const std::string scheme : {"four-curve", "spline"}) {
+    FaceSurfaceOptions options;
+    options.scheme = scheme;
+    options.smoothing = {1, 2, 1, 0.5, 1, 1, 3, 1, 1};
+    FaceSeams seams(options, 40, 100);
+    seams.setCurves(face.curves);
+    for (size_t i = 0; i < orders.size(); ++i) {
+      const RowMajor<double> grid = gridOfSides(options, face, orders[i][0], orders[i][1]);
+      for (int seam = 0; seam < FaceSeams::seamCount; ++seam)
+        for (int side = 0; side < 2; ++side)
+          for (int column = 0; column < 100; ++column)
+            EXPECT_LE((seams.jet(seam, side, column).*members[i] - grid.block<1, 3>(2 * seam + 1 + side, 3 * column).transpose()).norm(),
+                      1e-12 * grid.cwiseAbs().maxCoeff()) << scheme << " " << FaceSeams::name(seam);
+    }
+  }
 }
