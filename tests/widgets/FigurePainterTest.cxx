@@ -1,0 +1,129 @@
+#include "FigureApplication.h"
+#include "FigureText.h"
+#include "SampleFigure.h"
+
+#include <QPainter>
+#include <QRegularExpression>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class FigurePainter : public testing::Test {
+ protected:
+  mien::FigureApplication application_;
+
+  static mien::FigurePainter painter(const mien::Figure& figure, double width = 170.0) {
+    return mien::FigurePainter(figure, *mien::FigureTheme::find("light"), width);
+  }
+
+  static QString svg(const mien::Figure& figure) {
+    const std::string name = (fs::temp_directory_path() / ("mien_painter_" + std::to_string(getpid()) + ".svg")).string();
+    const std::string text = mien::writtenFigure(figure, name);
+    fs::remove(name);
+    return QString::fromStdString(text);
+  }
+
+  /// The points of the n-th polyline with that many of them.
+  static std::vector<QPointF> polyline(const QString& svg, int count) {
+    auto matches = QRegularExpression("<polyline[^>]*points=\"([^\"]*)\"").globalMatch(svg);
+    while (matches.hasNext()) {
+      std::vector<QPointF> points;
+      for (const QString& pair : matches.next().captured(1).split(' ', Qt::SkipEmptyParts))
+        points.emplace_back(pair.section(',', 0, 0).toDouble(), pair.section(',', 1, 1).toDouble());
+      if (static_cast<int>(points.size()) == count) return points;
+    }
+    return {};
+  }
+};
+
+/// One line on linear axes 0 .. 10 and 0 .. 100.
+mien::Figure oneLine() {
+  mien::Chart chart;
+  chart.x.endsWithData = true;
+  chart.y.begin = 0.0;
+  chart.y.end = 100.0;
+  chart.series.push_back({"line", {0, 2, 5, 10}, {10.0, 30.0, 90.0, 50.0}});
+  mien::Figure figure;
+  figure.panels = {chart};
+  return figure;
+}
+
+TEST_F(FigurePainter, DrawnPointsAreTheData) {
+  const mien::Figure figure = oneLine();
+  const std::vector<QPointF> points = polyline(svg(figure), 4);
+  ASSERT_EQ(points.size(), 4u);
+  const QRectF plot = painter(figure).panels()[0].plot();
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NEAR(10.0 * (points[i].x() - plot.left()) / plot.width(), figure.panels[0].series[0].x[i], 1e-4);
+    EXPECT_NEAR(100.0 * (plot.bottom() - points[i].y()) / plot.height(), figure.panels[0].series[0].y[i], 1e-3);
+  }
+}
+
+TEST_F(FigurePainter, ValuesThatAreNotFiniteLeaveAGap) {
+  mien::Figure figure = oneLine();
+  figure.panels[0].series[0] = {"line", {0, 1, 2, 3, 4, 5, 10}, {1, 2, 3, std::numeric_limits<double>::quiet_NaN(), 4, 5, 6}};
+  const QString text = svg(figure);
+  EXPECT_EQ(polyline(text, 7).size(), 0u);
+  EXPECT_EQ(polyline(text, 3).size(), 3u);
+}
+
+TEST_F(FigurePainter, LinesStayInsideTheirPlot) {
+  mien::Figure figure = oneLine();
+  figure.panels[0].series[0] = {"line", {0, 5, 10}, {50.0, 1e9, 50.0}};
+  const QRectF plot = painter(figure).panels()[0].plot();
+  const std::vector<QPointF> part = polyline(svg(figure), 2);
+  ASSERT_EQ(part.size(), 2u);
+  for (const QPointF& point : part) EXPECT_TRUE(plot.adjusted(-0.1, -0.1, 0.1, 0.1).contains(point));
+}
+
+TEST_F(FigurePainter, PanelsLieBesideEachOtherWithoutOverlap) {
+  mien::Figure figure = mien::sampleFigure();
+  for (int i = 0; i < 6; ++i) figure.panels.push_back(mien::sampleChart());
+  for (const double width : {85.0, 170.0}) {
+    const mien::FigurePainter layout = painter(figure, width);
+    const QRectF page(QPointF(), layout.size());
+    for (size_t i = 0; i < layout.panels().size(); ++i) {
+      EXPECT_TRUE(page.contains(layout.panels()[i].plot()));
+      EXPECT_GT(layout.panels()[i].plot().width(), 2000.0);  // 20 mm
+      EXPECT_GT(layout.panels()[i].plot().height(), 1000.0);
+      for (size_t j = 0; j < i; ++j) EXPECT_FALSE(layout.panels()[i].plot().intersects(layout.panels()[j].plot()));
+    }
+  }
+}
+
+TEST_F(FigurePainter, AGivenHeightIsKept) {
+  const mien::FigurePainter layout(oneLine(), *mien::FigureTheme::find("dark"), 120.0, 60.0);
+  EXPECT_EQ(layout.size(), QSizeF(12000.0, 6000.0));
+}
+
+TEST_F(FigurePainter, BarsReachFromZeroToTheirValue) {
+  mien::Figure figure;
+  figure.panels = {mien::sampleBars()};
+  figure.panels[0].y.scale = mien::ChartAxis::Scale::Linear;
+  const mien::FigurePainter layout = painter(figure);
+  const mien::ChartPainter& panel = layout.panels()[0];
+  const double height = panel.position(0.0, 0.0).y() - panel.position(0.0, 75.0).y();
+  auto rectangles = QRegularExpression("<rect x=\"([^\"]*)\" y=\"([^\"]*)\" width=\"([^\"]*)\" height=\"([^\"]*)\"").globalMatch(svg(figure));
+  bool found = false;
+  while (rectangles.hasNext()) found = std::abs(rectangles.next().captured(4).toDouble() - height) < 0.1 || found;
+  EXPECT_TRUE(found);
+}
+
+TEST_F(FigurePainter, SeriesDifferInMoreThanColour) {
+  mien::Figure figure;
+  figure.panels = {mien::sampleChart()};
+  auto patterns = QRegularExpression("stroke-dasharray=\"([^\"]*)\"").globalMatch(svg(figure));
+  std::set<QString> different;
+  while (patterns.hasNext()) different.insert(patterns.next().captured(1));
+  EXPECT_GE(different.size(), 5u);
+}
+
+}  // namespace

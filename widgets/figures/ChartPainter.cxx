@@ -1,0 +1,266 @@
+#include "ChartPainter.h"
+
+#include "LineClip.h"
+#include "SeriesStyle.h"
+#include "TextLines.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+
+namespace {
+
+constexpr double numberSize = 6.5;   // pt
+constexpr double headingSize = 7.5;  // pt
+constexpr double tickLength = 2.0;   // pt
+constexpr double gap = 2.5;          // pt, between ticks, numbers and titles
+constexpr double spread = 26.0;      // pt, between the few markers that tell lines apart
+constexpr double barShare = 0.8;     // of the room between two categories
+
+double points(double number) { return figureUnitsFromPoints(number); }
+
+std::vector<double> finiteValues(const Chart& chart, bool ofX) {
+  std::vector<double> values;
+  for (const ChartSeries& series : chart.series)
+    for (const double value : ofX ? series.x : series.y)
+      if (std::isfinite(value)) values.push_back(value);
+  for (const ChartMark& mark : chart.marks)
+    if (mark.horizontal != ofX) values.push_back(mark.value);
+  return values;
+}
+
+bool isBars(const ChartSeries& series) { return series.kind == ChartSeries::Kind::Bars; }
+
+size_t barCount(const Chart& chart) { return std::count_if(chart.series.begin(), chart.series.end(), isBars); }
+
+/// Beginning and width of the bar of a series around its category, in units of x.
+std::pair<double, double> barPlace(const Chart& chart, size_t series) {
+  const double width = barShare / barCount(chart);
+  const size_t before = std::count_if(chart.series.begin(), chart.series.begin() + series, isBars);
+  return {-0.5 * barShare + before * width, width};
+}
+
+}  // namespace
+
+ChartPainter::ChartPainter(const Chart& chart, const FigureTheme& theme, const QString& label)
+    : chart_(chart),
+      theme_(theme),
+      label_(label),
+      x_(AxisScale::around(chart.x, finiteValues(chart, true), false)),
+      y_(AxisScale::around(chart.y, finiteValues(chart, false), barCount(chart) > 0)) {}
+
+int ChartPainter::styleOf(const Chart& chart, size_t series) {
+  const int style = chart.series[series].style;
+  return style >= 0 ? style : static_cast<int>(series);
+}
+
+QString ChartPainter::heading() const {
+  const QString title = QString::fromStdString(titleWithUnit(chart_.y));
+  return label_.isEmpty() ? title : label_ + ' ' + title;
+}
+
+double ChartPainter::categoryWidth() const {
+  double width = 0.0;
+  for (const std::string& name : chart_.x.categories)
+    width = std::max(width, textWidth(figureFont(numberSize), QString::fromStdString(name)));
+  return width;
+}
+
+bool ChartPainter::namesStandUpright(double plotWidth) const {
+  return categoryWidth() + points(gap) > plotWidth / std::max<size_t>(1, chart_.x.categories.size());
+}
+
+/// As many numbers as stand beside each other with room between them.
+std::vector<AxisTick> ChartPainter::xTicks(double plotWidth) const {
+  if (!chart_.x.categories.empty()) return x_.ticks(chart_.x, 0);
+  for (int most = 8; most > 1; --most) {
+    const std::vector<AxisTick> ticks = x_.ticks(chart_.x, most);
+    double end = -1e9;
+    bool fits = true;
+    for (const AxisTick& tick : ticks) {
+      const double width = textWidth(figureFont(numberSize), QString::fromStdString(tick.text));
+      const double middle = x_.fraction(tick.value) * plotWidth;
+      if (tick.text.empty()) continue;
+      fits = fits && middle - 0.5 * width > end;
+      end = middle + 0.5 * width + points(2.0 * gap);
+    }
+    if (fits) return ticks;
+  }
+  return x_.ticks(chart_.x, 1);
+}
+
+ChartPainter::Margins ChartPainter::margins(const QSizeF& cell) const {
+  const QFont font = figureFont(numberSize);
+  Margins margins;
+  margins.top = textLines(figureFont(headingSize), heading(), cell.width()).size() * lineHeight(figureFont(headingSize)) + points(gap);
+  for (const AxisTick& tick : y_.ticks(chart_.y, 5))
+    margins.left = std::max(margins.left, textWidth(font, QString::fromStdString(tick.text)));
+  margins.left += points(tickLength + gap);
+  const bool upright = namesStandUpright(cell.width() - margins.left);
+  margins.bottom = points(tickLength + gap) + (upright ? categoryWidth() : lineHeight(font));
+  if (!chart_.x.title.empty()) margins.bottom += points(gap) + lineHeight(font);
+  margins.right = points(2.0 * gap);
+  return margins;
+}
+
+void ChartPainter::place(const QRectF& cell, const Margins& margins) {
+  cell_ = cell;
+  plot_ = cell.adjusted(margins.left, margins.top, -margins.right, -margins.bottom);
+}
+
+QPointF ChartPainter::position(double x, double y) const {
+  return {plot_.left() + x_.fraction(x) * plot_.width(), plot_.bottom() - y_.fraction(y) * plot_.height()};
+}
+
+void ChartPainter::paint(QPainter& painter) const {
+  paintHeading(painter);
+  paintYAxis(painter);
+  paintXAxis(painter);
+  paintMarks(painter);
+  for (size_t i = 0; i < chart_.series.size(); ++i) isBars(chart_.series[i]) ? paintBars(painter, i) : paintLine(painter, i);
+  for (size_t i = 0; i < chart_.series.size(); ++i) paintMarkers(painter, i);
+  paintFrame(painter);
+  for (size_t i = 0; i < chart_.series.size(); ++i) paintBreakdown(painter, i);
+}
+
+void ChartPainter::paintHeading(QPainter& painter) const {
+  const QFont font = figureFont(headingSize);
+  const QStringList lines = textLines(font, heading(), cell_.width());
+  painter.setFont(font);
+  painter.setPen(theme_.text);
+  double y = plot_.top() - points(1.6 * gap) - (lines.size() - 1) * lineHeight(font);
+  for (const QString& line : lines) {
+    painter.drawText(QPointF(cell_.left(), y), line);
+    y += lineHeight(font);
+  }
+}
+
+void ChartPainter::paintYAxis(QPainter& painter) const {
+  const QFont font = figureFont(numberSize);
+  painter.setFont(font);
+  for (const AxisTick& tick : y_.ticks(chart_.y, 5)) {
+    const double y = position(x_.begin(), tick.value).y();
+    const QString text = QString::fromStdString(tick.text);
+    if (!text.isEmpty()) {
+      painter.setPen(QPen(theme_.grid, points(theme_.axisWidth)));
+      painter.drawLine(QPointF(plot_.left(), y), QPointF(plot_.right(), y));
+    }
+    painter.setPen(QPen(theme_.axis, points(theme_.axisWidth)));
+    painter.drawLine(QPointF(plot_.left() - points(text.isEmpty() ? 0.5 * tickLength : tickLength), y), QPointF(plot_.left(), y));
+    painter.setPen(theme_.text);
+    const double x = plot_.left() - points(tickLength + 0.5 * gap) - textWidth(font, text);
+    if (!text.isEmpty()) painter.drawText(QPointF(x, y + 0.36 * font.pixelSize()), text);
+  }
+}
+
+void ChartPainter::paintXAxis(QPainter& painter) const {
+  const QFont font = figureFont(numberSize);
+  painter.setFont(font);
+  for (const AxisTick& tick : xTicks(plot_.width())) {
+    const double x = plot_.left() + x_.fraction(tick.value) * plot_.width();
+    const QString text = QString::fromStdString(tick.text);
+    painter.setPen(QPen(theme_.axis, points(theme_.axisWidth)));
+    painter.drawLine(QPointF(x, plot_.bottom()), QPointF(x, plot_.bottom() + points(text.isEmpty() ? 0.5 * tickLength : tickLength)));
+    painter.setPen(theme_.text);
+    if (!text.isEmpty()) paintCategory(painter, x, text);
+  }
+  const QString title = QString::fromStdString(titleWithUnit(chart_.x));
+  const double x = plot_.center().x() - 0.5 * textWidth(font, title);
+  if (!title.isEmpty()) painter.drawText(QPointF(x, cell_.bottom() - 0.3 * font.pixelSize()), title);
+}
+
+void ChartPainter::paintCategory(QPainter& painter, double x, const QString& text) const {
+  const QFont font = figureFont(numberSize);
+  const double top = plot_.bottom() + points(tickLength + 0.5 * gap), width = textWidth(font, text);
+  if (chart_.x.categories.empty() || !namesStandUpright(plot_.width())) {
+    painter.drawText(QPointF(x - 0.5 * width, top + 0.9 * font.pixelSize()), text);
+    return;
+  }
+  painter.save();
+  painter.translate(x + 0.36 * font.pixelSize(), top + width);
+  painter.rotate(-90.0);
+  painter.drawText(QPointF(0.0, 0.0), text);
+  painter.restore();
+}
+
+void ChartPainter::paintFrame(QPainter& painter) const {
+  painter.setPen(QPen(theme_.axis, points(theme_.axisWidth)));
+  painter.drawLine(plot_.bottomLeft(), plot_.bottomRight());
+  painter.drawLine(plot_.topLeft(), plot_.bottomLeft());
+}
+
+void ChartPainter::paintMarks(QPainter& painter) const {
+  QPen pen(theme_.axis, points(0.8 * theme_.lineWidth));
+  pen.setDashPattern({3.0, 3.0});
+  painter.setPen(pen);
+  for (const ChartMark& mark : chart_.marks) {
+    const QPointF at = mark.horizontal ? position(x_.begin(), mark.value) : position(mark.value, y_.begin());
+    if (mark.horizontal)
+      painter.drawLine(QPointF(plot_.left(), at.y()), QPointF(plot_.right(), at.y()));
+    else
+      painter.drawLine(QPointF(at.x(), plot_.top()), QPointF(at.x(), plot_.bottom()));
+  }
+}
+
+void ChartPainter::paintBars(QPainter& painter, size_t index) const {
+  const ChartSeries& series = chart_.series[index];
+  const auto [begin, width] = barPlace(chart_, index);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(SeriesStyle(theme_, styleOf(chart_, index)).color());
+  for (size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    if (!std::isfinite(series.y[i])) continue;
+    const QPointF corner = position(series.x[i] + begin, series.y[i]);
+    const QPointF opposite = position(series.x[i] + begin + 0.92 * width, y_.base());
+    painter.drawRect(QRectF(corner, opposite).normalized() & plot_);
+  }
+}
+
+std::vector<QPolygonF> ChartPainter::unbrokenLines(const ChartSeries& series) const {
+  std::vector<QPolygonF> lines(1);
+  for (size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
+    if (std::isfinite(series.x[i]) && std::isfinite(series.y[i]))
+      lines.back() << position(series.x[i], series.y[i]);
+    else if (!lines.back().isEmpty())
+      lines.emplace_back();
+  }
+  return lines;
+}
+
+void ChartPainter::paintLine(QPainter& painter, size_t index) const {
+  painter.setPen(SeriesStyle(theme_, styleOf(chart_, index)).linePen());
+  for (const QPolygonF& line : unbrokenLines(chart_.series[index]))
+    for (const QPolygonF& part : clippedLine(line, plot_)) painter.drawPolyline(part);
+}
+
+/// Lines of different series have their markers at different places, so that they stay visible where lines coincide.
+void ChartPainter::paintMarkers(QPainter& painter, size_t index) const {
+  const ChartSeries& series = chart_.series[index];
+  if (isBars(series) || (series.kind == ChartSeries::Kind::Line && chart_.series.size() == 1)) return;
+  const SeriesStyle style(theme_, styleOf(chart_, index));
+  const QRectF around = plot_.adjusted(-1.0, -1.0, 1.0, 1.0);  // rounding
+  double next = plot_.left() + points(spread) * (0.3 + index) / chart_.series.size();
+  for (const QPolygonF& line : unbrokenLines(series))
+    for (const QPointF& point : line) {
+      if (!around.contains(point) || (series.kind == ChartSeries::Kind::Line && point.x() < next)) continue;
+      style.drawMarker(painter, point);
+      while (next <= point.x()) next += points(spread);
+    }
+}
+
+void ChartPainter::paintBreakdown(QPainter& painter, size_t index) const {
+  const ChartSeries& series = chart_.series[index];
+  if (!series.breakdown) return;
+  const ChartSeries* const values = &series;
+  for (size_t i = 0; i < std::min(values->x.size(), values->y.size()); ++i) {
+    if (values->x[i] < *series.breakdown) continue;
+    QPointF at = position(*series.breakdown, std::isfinite(values->y[i]) ? values->y[i] : y_.end());
+    at.setY(std::min(std::max(at.y(), plot_.top()), plot_.bottom()));
+    SeriesStyle(theme_, styleOf(chart_, index)).drawBreakdown(painter, at);
+    return;
+  }
+}
+
+}  // namespace mien

@@ -1,0 +1,151 @@
+#include "FigureFile.h"
+
+#include "FigureTheme.h"
+
+#include <QBuffer>
+#include <QDateTime>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QRegularExpression>
+#include <QSvgGenerator>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double unitsPerInch = 25.4 * figureUnitsPerMillimetre;
+
+std::string endingOf(const std::string& name) {
+  return QFileInfo(QString::fromStdString(name)).suffix().toLower().toStdString();
+}
+
+std::string temporaryName(const std::string& name) {
+  const fs::path path(name);
+  const std::string hidden = "." + path.stem().string() + ".mien-" + std::to_string(getpid()) + path.extension().string();
+  return (path.parent_path() / hidden).string();
+}
+
+bool writeBytes(const std::string& name, const QByteArray& bytes) {
+  QFile file(QString::fromStdString(name));
+  return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush();
+}
+
+/// Viewers without the font take one whose letters are as wide.
+void nameOtherFonts(QByteArray& svg) {
+  svg.replace("font-family=\"DejaVu Sans\"", "font-family=\"DejaVu Sans, Bitstream Vera Sans, Verdana, sans-serif\"");
+}
+
+/// Qt writes the clock's date. Places in the file must stay where they are, so that the new date is as long.
+void setDate(QByteArray& pdf, qint64 secondsSinceEpoch) {
+  const QRegularExpression pattern("/CreationDate \\(D:\\d{14}([^)]*)\\)");
+  const QRegularExpressionMatch match = pattern.match(QString::fromLatin1(pdf));
+  if (!match.hasMatch()) return;
+  const QString date = QDateTime::fromSecsSinceEpoch(secondsSinceEpoch, Qt::UTC).toString("yyyyMMddHHmmss");
+  const QByteArray text = "/CreationDate (D:" + date.toLatin1() + "Z)";
+  pdf.replace(match.capturedStart(), match.capturedLength(), text.leftJustified(match.capturedLength()));
+}
+
+void setDateFromEnvironment(QByteArray& pdf) {
+  const char* const text = std::getenv("SOURCE_DATE_EPOCH");
+  bool valid = false;
+  const qint64 seconds = QByteArray(text).toLongLong(&valid);
+  if (text && valid && seconds >= 0) setDate(pdf, seconds);
+}
+
+void draw(QPaintDevice& device, double scale, const std::function<void(QPainter&)>& content) {
+  QPainter painter(&device);
+  painter.scale(scale, scale);
+  content(painter);
+}
+
+}  // namespace
+
+const std::vector<std::string>& FigureFile::endings() {
+  static const std::vector<std::string> endings = {"svg", "pdf", "png"};
+  return endings;
+}
+
+std::string FigureFile::describeFault(const QSizeF& size) const {
+  const std::string ending = endingOf(name_);
+  if (std::find(endings().begin(), endings().end(), ending) == endings().end())
+    return name_ + ": a figure is written as .svg, .pdf or .png; give the file one of these endings";
+  if (!size.isValid() || size.isEmpty()) return name_ + ": the figure has no size";
+  if (!(dotsPerInch_ >= leastDotsPerInch && dotsPerInch_ <= mostDotsPerInch))
+    return "dots per inch are outside 30 .. 2400; choose 300 for print";
+  const double pixels = size.width() * size.height() * dotsPerInch_ * dotsPerInch_ / (unitsPerInch * unitsPerInch);
+  if (ending == "png" && pixels > mostPixels) return name_ + ": the picture would have too many pixels; choose fewer dots per inch";
+  return {};
+}
+
+std::string FigureFile::write(const QSizeF& size, const Draw& draw) const {
+  const std::string fault = describeFault(size);
+  if (!fault.empty()) return fault;
+  const std::string ending = endingOf(name_), temporary = temporaryName(name_);
+  const bool written = ending == "svg"   ? writeSVG(temporary, size, draw)
+                       : ending == "pdf" ? writePDF(temporary, size, draw)
+                                         : writePNG(temporary, size, draw);
+  std::error_code error;
+  if (written) fs::rename(temporary, name_, error);
+  if (written && !error) return {};
+  fs::remove(temporary, error);
+  return name_ + ": cannot be written; check that its folder exists, is writable and has space";
+}
+
+bool FigureFile::writeSVG(const std::string& name, const QSizeF& size, const Draw& content) const {
+  QBuffer buffer;
+  QSvgGenerator svg;
+  svg.setOutputDevice(&buffer);
+  svg.setResolution(qRound(unitsPerInch));
+  svg.setSize(size.toSize());
+  svg.setViewBox(QRectF(QPointF(), size));
+  svg.setTitle(QString::fromStdString(title_));
+  svg.setDescription(QString::fromStdString(description_));
+  draw(svg, 1.0, content);
+  QByteArray bytes = buffer.data();
+  nameOtherFonts(bytes);
+  return writeBytes(name, bytes);
+}
+
+bool FigureFile::writePDF(const std::string& name, const QSizeF& size, const Draw& content) const {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter pdf(&buffer);
+    pdf.setResolution(qRound(unitsPerInch));
+    pdf.setPageSize(QPageSize(size / figureUnitsPerMillimetre, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
+    pdf.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
+    pdf.setTitle(QString::fromStdString(title_));
+    pdf.setCreator(QStringLiteral("Mien"));
+    draw(pdf, 1.0, content);
+  }
+  QByteArray bytes = buffer.data();
+  setDateFromEnvironment(bytes);
+  return writeBytes(name, bytes);
+}
+
+bool FigureFile::writePNG(const std::string& name, const QSizeF& size, const Draw& content) const {
+  const double scale = dotsPerInch_ / unitsPerInch;
+  QImage image((size * scale).toSize(), QImage::Format_ARGB32_Premultiplied);
+  if (image.isNull()) return false;
+  image.fill(Qt::transparent);
+  draw(image, scale, content);
+  image.setDotsPerMeterX(qRound(dotsPerInch_ / 0.0254));
+  image.setDotsPerMeterY(qRound(dotsPerInch_ / 0.0254));
+  image.setText("Title", QString::fromStdString(title_));
+  image.setText("Description", QString::fromStdString(description_));
+  image.setText("Software", "Mien");
+  return image.save(QString::fromStdString(name), "PNG");
+}
+
+}  // namespace mien

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QColor>
+#include <QFont>
+
+#include <string>
+#include <vector>
+
+namespace mien {
+
+/// Figures are drawn in hundredths of a millimetre, whatever the file's format.
+constexpr double figureUnitsPerMillimetre = 100.0;
+
+/// A length of typography in units of figures: 1 pt is 1/72 inch.
+constexpr double figureUnitsFromPoints(double points) { return points * 25.4 / 72.0 * figureUnitsPerMillimetre; }
+
+/// Colours, fonts and line widths of figures.
+///
+/// The colours are those of Okabe and Ito, which all common kinds of colour blindness can tell apart.
+struct FigureTheme {
+  std::string name;
+  QColor background;  ///< invalid: none, the page's own
+  QColor text, axis, grid;
+  std::vector<QColor> series;
+  double lineWidth = 1.0;  ///< pt
+  double axisWidth = 0.5;  ///< pt
+
+  static const std::vector<FigureTheme>& all();
+
+  /// The theme of that name, or nullptr.
+  static const FigureTheme* find(const std::string& name);
+};
+
+/// The font of figures in a size in pt.
+QFont figureFont(double points, bool bold = false);
+
+}  // namespace mien

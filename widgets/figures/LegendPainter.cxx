@@ -1,0 +1,105 @@
+#include "LegendPainter.h"
+
+#include "ChartPainter.h"
+#include "SeriesStyle.h"
+#include "TextLines.h"
+
+#include <QPainter>
+
+#include <algorithm>
+
+namespace mien {
+
+namespace {
+
+constexpr double textSize = 7.0;      // pt
+constexpr double symbolWidth = 20.0;  // pt: long enough to show a whole pattern of dashes
+constexpr double symbolGap = 4.0;     // pt
+constexpr double entryGap = 12.0;     // pt
+
+double points(double number) { return figureUnitsFromPoints(number); }
+
+QFont legendFont() { return figureFont(textSize); }
+
+double rowHeight() { return 1.15 * lineHeight(legendFont()); }
+
+}  // namespace
+
+LegendPainter::LegendPainter(const Figure& figure, const FigureTheme& theme, double width) : theme_(theme) {
+  collect(figure);
+  place(width);
+}
+
+void LegendPainter::collect(const Figure& figure) {
+  for (const Chart& chart : figure.panels)
+    for (size_t i = 0; i < chart.series.size(); ++i) {
+      const bool bars = chart.series[i].kind == ChartSeries::Kind::Bars;
+      add(bars ? Entry::Kind::Bar : Entry::Kind::Line, chart.series[i].name, ChartPainter::styleOf(chart, i));
+    }
+  for (const Chart& chart : figure.panels)
+    for (const ChartMark& mark : chart.marks) add(Entry::Kind::Mark, mark.name, 0);
+  for (const Chart& chart : figure.panels)
+    for (const ChartSeries& series : chart.series)
+      if (series.breakdown) add(Entry::Kind::Breakdown, "breaks down here", 0);
+}
+
+void LegendPainter::add(Entry::Kind kind, const std::string& name, int style) {
+  const QString text = QString::fromStdString(name);
+  const auto same = [&](const Entry& entry) { return entry.name == text && entry.kind == kind; };
+  if (text.isEmpty() || std::any_of(entries_.begin(), entries_.end(), same)) return;
+  entries_.push_back({kind, text, style, QPointF()});
+}
+
+void LegendPainter::place(double width) {
+  QPointF at(0.0, 0.0);
+  rows_ = entries_.empty() ? 0 : 1;
+  for (Entry& entry : entries_) {
+    const double length = points(symbolWidth + symbolGap) + textWidth(legendFont(), entry.name);
+    if (at.x() > 0.0 && at.x() + length > width) {
+      at = QPointF(0.0, at.y() + rowHeight());
+      ++rows_;
+    }
+    entry.place = at;
+    at.rx() += length + points(entryGap);
+  }
+}
+
+double LegendPainter::height() const { return rows_ * rowHeight(); }
+
+void LegendPainter::paint(QPainter& painter, const QPointF& topLeft) const {
+  for (const Entry& entry : entries_) {
+    const QPointF left = topLeft + entry.place + QPointF(0.0, 0.5 * rowHeight());
+    paintSymbol(painter, entry, left);
+    painter.setFont(legendFont());
+    painter.setPen(theme_.text);
+    painter.drawText(left + QPointF(points(symbolWidth + symbolGap), 0.36 * legendFont().pixelSize()), entry.name);
+  }
+}
+
+void LegendPainter::paintSymbol(QPainter& painter, const Entry& entry, const QPointF& left) const {
+  const SeriesStyle style(theme_, entry.style);
+  const QPointF right = left + QPointF(points(symbolWidth), 0.0), middle = 0.5 * (left + right);
+  QPen mark(theme_.axis, points(0.8 * theme_.lineWidth));
+  mark.setDashPattern({3.0, 3.0});
+  switch (entry.kind) {
+    case Entry::Kind::Line:
+      painter.setPen(style.linePen());
+      painter.drawPolyline(QPolygonF() << left << right);
+      style.drawMarker(painter, middle);
+      break;
+    case Entry::Kind::Bar:
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(style.color());
+      painter.drawRect(QRectF(left.x() + points(6.0), left.y() - points(2.5), points(symbolWidth - 6.0), points(5.0)));
+      break;
+    case Entry::Kind::Mark:
+      painter.setPen(mark);
+      painter.drawLine(left, right);
+      break;
+    case Entry::Kind::Breakdown:
+      SeriesStyle(theme_, 0).drawBreakdown(painter, middle);
+      break;
+  }
+}
+
+}  // namespace mien

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "FigureTheme.h"
+
+#include <QPen>
+#include <QPointF>
+
+class QPainter;
+
+namespace mien {
+
+/// How one of several series is drawn: colour, dashes and marker each tell it from the others.
+class SeriesStyle {
+ public:
+  static constexpr int count = 6;
+
+  SeriesStyle(const FigureTheme& theme, int index);
+
+  const QColor& color() const { return color_; }
+  QPen linePen() const;
+
+  void drawMarker(QPainter& painter, const QPointF& center) const;
+
+  /// The cross where a series stops to mean anything.
+  void drawBreakdown(QPainter& painter, const QPointF& center) const;
+
+ private:
+  QColor color_, background_;
+  int index_;
+  double width_;  ///< of lines, in figure units
+};
+
+}  // namespace mien
