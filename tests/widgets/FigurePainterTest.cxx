@@ -77,10 +77,10 @@ TEST_F(FigurePainter, ValuesThatAreNotFiniteLeaveAGap) {
 
 TEST_F(FigurePainter, LinesStayInsideTheirPlot) {
   mien::Figure figure = oneLine();
-  figure.panels[0].series[0] = {"line", {0, 5, 10}, {50.0, 1e9, 50.0}};
+  figure.panels[0].series[0] = {"line", {0, 2, 5, 10}, {50.0, 60.0, 1e9, 50.0}};
   const QRectF plot = painter(figure).panels()[0].plot();
-  const std::vector<QPointF> part = polyline(svg(figure), 2);
-  ASSERT_EQ(part.size(), 2u);
+  const std::vector<QPointF> part = polyline(svg(figure), 3);
+  ASSERT_EQ(part.size(), 3u);
   for (const QPointF& point : part) EXPECT_TRUE(plot.adjusted(-0.1, -0.1, 0.1, 0.1).contains(point));
 }
 

@@ -17,7 +17,8 @@ constexpr double numberSize = 6.5;   // pt
 constexpr double headingSize = 7.5;  // pt
 constexpr double tickLength = 2.0;   // pt
 constexpr double gap = 2.5;          // pt, between ticks, numbers and titles
-constexpr double spread = 26.0;      // pt, between the few markers that tell lines apart
+constexpr double spread = 26.0;      // pt, at least, between the few markers that tell lines apart
+constexpr double spreadShare = 9.0;  // pt, for each series: where lines coincide their markers stand apart
 constexpr double barShare = 0.8;     // of the room between two categories
 
 double points(double number) { return figureUnitsFromPoints(number); }
@@ -69,8 +70,31 @@ double ChartPainter::categoryWidth() const {
   return width;
 }
 
+/// Whether names would run into each other beside each other.
 bool ChartPainter::namesStandUpright(double plotWidth) const {
-  return categoryWidth() + points(gap) > plotWidth / std::max<size_t>(1, chart_.x.categories.size());
+  const std::vector<std::string>& names = chart_.x.categories;
+  const QFont font = figureFont(numberSize);
+  for (size_t i = 0; i + 1 < names.size(); ++i) {
+    const double widths = textWidth(font, QString::fromStdString(names[i])) + textWidth(font, QString::fromStdString(names[i + 1]));
+    if (0.5 * widths + points(gap) > plotWidth / names.size()) return true;
+  }
+  return false;
+}
+
+/// How far the last name reaches beyond the plot.
+double ChartPainter::overhang(double plotWidth) const {
+  if (chart_.x.categories.empty() || namesStandUpright(plotWidth)) return 0.0;
+  const double width = textWidth(figureFont(numberSize), QString::fromStdString(chart_.x.categories.back()));
+  return std::max(0.0, 0.5 * (width - plotWidth / chart_.x.categories.size()));
+}
+
+/// From the plot to below the numbers.
+double ChartPainter::numberDepth(double plotWidth) const {
+  return points(tickLength + gap) + (namesStandUpright(plotWidth) ? categoryWidth() : lineHeight(figureFont(numberSize)));
+}
+
+std::vector<AxisTick> ChartPainter::yTicks(double plotHeight) const {
+  return y_.ticks(chart_.y, std::max(2, static_cast<int>(plotHeight / (1.9 * lineHeight(figureFont(numberSize))))));
 }
 
 /// As many numbers as stand beside each other with room between them.
@@ -92,17 +116,16 @@ std::vector<AxisTick> ChartPainter::xTicks(double plotWidth) const {
   return x_.ticks(chart_.x, 1);
 }
 
-ChartPainter::Margins ChartPainter::margins(const QSizeF& cell) const {
-  const QFont font = figureFont(numberSize);
+ChartPainter::Margins ChartPainter::margins(double cellWidth, double plotHeight) const {
+  const QFont font = figureFont(numberSize), large = figureFont(headingSize);
   Margins margins;
-  margins.top = textLines(figureFont(headingSize), heading(), cell.width()).size() * lineHeight(figureFont(headingSize)) + points(gap);
-  for (const AxisTick& tick : y_.ticks(chart_.y, 5))
+  margins.top = textLines(large, heading(), cellWidth).size() * lineHeight(large) + points(2.0 * gap);
+  for (const AxisTick& tick : yTicks(plotHeight))
     margins.left = std::max(margins.left, textWidth(font, QString::fromStdString(tick.text)));
   margins.left += points(tickLength + gap);
-  const bool upright = namesStandUpright(cell.width() - margins.left);
-  margins.bottom = points(tickLength + gap) + (upright ? categoryWidth() : lineHeight(font));
-  if (!chart_.x.title.empty()) margins.bottom += points(gap) + lineHeight(font);
-  margins.right = points(2.0 * gap);
+  const double plotWidth = cellWidth - margins.left - points(2.0 * gap);
+  margins.bottom = numberDepth(plotWidth) + (chart_.x.title.empty() ? 0.0 : lineHeight(font));
+  margins.right = points(2.0 * gap) + overhang(plotWidth);
   return margins;
 }
 
@@ -131,7 +154,7 @@ void ChartPainter::paintHeading(QPainter& painter) const {
   const QStringList lines = textLines(font, heading(), cell_.width());
   painter.setFont(font);
   painter.setPen(theme_.text);
-  double y = plot_.top() - points(1.6 * gap) - (lines.size() - 1) * lineHeight(font);
+  double y = plot_.top() - points(2.2 * gap) - (lines.size() - 1) * lineHeight(font);
   for (const QString& line : lines) {
     painter.drawText(QPointF(cell_.left(), y), line);
     y += lineHeight(font);
@@ -141,7 +164,7 @@ void ChartPainter::paintHeading(QPainter& painter) const {
 void ChartPainter::paintYAxis(QPainter& painter) const {
   const QFont font = figureFont(numberSize);
   painter.setFont(font);
-  for (const AxisTick& tick : y_.ticks(chart_.y, 5)) {
+  for (const AxisTick& tick : yTicks(plot_.height())) {
     const double y = position(x_.begin(), tick.value).y();
     const QString text = QString::fromStdString(tick.text);
     if (!text.isEmpty()) {
@@ -169,7 +192,7 @@ void ChartPainter::paintXAxis(QPainter& painter) const {
   }
   const QString title = QString::fromStdString(titleWithUnit(chart_.x));
   const double x = plot_.center().x() - 0.5 * textWidth(font, title);
-  if (!title.isEmpty()) painter.drawText(QPointF(x, cell_.bottom() - 0.3 * font.pixelSize()), title);
+  if (!title.isEmpty()) painter.drawText(QPointF(x, plot_.bottom() + numberDepth(plot_.width()) + 0.9 * font.pixelSize()), title);
 }
 
 void ChartPainter::paintCategory(QPainter& painter, double x, const QString& text) const {
@@ -241,12 +264,13 @@ void ChartPainter::paintMarkers(QPainter& painter, size_t index) const {
   if (isBars(series) || (series.kind == ChartSeries::Kind::Line && chart_.series.size() == 1)) return;
   const SeriesStyle style(theme_, styleOf(chart_, index));
   const QRectF around = plot_.adjusted(-1.0, -1.0, 1.0, 1.0);  // rounding
-  double next = plot_.left() + points(spread) * (0.3 + index) / chart_.series.size();
+  const double distance = points(std::max(spread, spreadShare * chart_.series.size()));
+  double next = plot_.left() + distance * (0.3 + index) / chart_.series.size();
   for (const QPolygonF& line : unbrokenLines(series))
     for (const QPointF& point : line) {
       if (!around.contains(point) || (series.kind == ChartSeries::Kind::Line && point.x() < next)) continue;
       style.drawMarker(painter, point);
-      while (next <= point.x()) next += points(spread);
+      while (next <= point.x()) next += distance;
     }
 }
 

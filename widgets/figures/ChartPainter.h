@@ -24,8 +24,8 @@ class ChartPainter {
   /// `label` stands before the title: "(a)".
   ChartPainter(const Chart& chart, const FigureTheme& theme, const QString& label);
 
-  /// What the text around the plot needs in a cell of that size, in figure units.
-  Margins margins(const QSizeF& cell) const;
+  /// What the text around a plot of that height needs in a cell of that width, in figure units.
+  Margins margins(double cellWidth, double plotHeight) const;
 
   void place(const QRectF& cell, const Margins& margins);
   void paint(QPainter& painter) const;
@@ -44,8 +44,11 @@ class ChartPainter {
  private:
   QString heading() const;
   std::vector<AxisTick> xTicks(double plotWidth) const;
+  std::vector<AxisTick> yTicks(double plotHeight) const;
   bool namesStandUpright(double plotWidth) const;
   double categoryWidth() const;
+  double numberDepth(double plotWidth) const;
+  double overhang(double plotWidth) const;
   void paintHeading(QPainter& painter) const;
   void paintXAxis(QPainter& painter) const;
   void paintCategory(QPainter& painter, double x, const QString& text) const;

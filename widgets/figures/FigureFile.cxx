@@ -9,7 +9,6 @@
 #include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
-#include <QRegularExpression>
 #include <QSvgGenerator>
 
 #include <algorithm>
@@ -48,12 +47,11 @@ void nameOtherFonts(QByteArray& svg) {
 
 /// Qt writes the clock's date. Places in the file must stay where they are, so that the new date is as long.
 void setDate(QByteArray& pdf, qint64 secondsSinceEpoch) {
-  const QRegularExpression pattern("/CreationDate \\(D:\\d{14}([^)]*)\\)");
-  const QRegularExpressionMatch match = pattern.match(QString::fromLatin1(pdf));
-  if (!match.hasMatch()) return;
+  const QByteArray key = "/CreationDate (D:";
+  const int begin = pdf.indexOf(key), end = begin < 0 ? -1 : pdf.indexOf(')', begin);
+  if (end < 0) return;
   const QString date = QDateTime::fromSecsSinceEpoch(secondsSinceEpoch, Qt::UTC).toString("yyyyMMddHHmmss");
-  const QByteArray text = "/CreationDate (D:" + date.toLatin1() + "Z)";
-  pdf.replace(match.capturedStart(), match.capturedLength(), text.leftJustified(match.capturedLength()));
+  pdf.replace(begin, end + 1 - begin, (key + date.toLatin1() + "Z)").leftJustified(end + 1 - begin));
 }
 
 void setDateFromEnvironment(QByteArray& pdf) {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double border = 1.5;        // mm
 constexpr double leastPanel = 38.0;   // mm: narrower panels have no room for three numbers on their x axis
-constexpr double leastHeight = 32.0;  // mm
+constexpr double leastHeight = 24.0;  // mm, of a plot
+constexpr double plotShape = 0.55;    // height over width of a panel's plot
 constexpr double columnGap = 3.0;     // mm
 constexpr double rowGap = 3.0;        // mm
 constexpr double titleSize = 8.5, captionSize = 7.0, noteSize = 6.0;  // pt
@@ -51,23 +52,34 @@ double FigurePainter::textHeight() const {
   return caption_.size() * lineHeight(figureFont(captionSize)) + note_.size() * lineHeight(figureFont(noteSize));
 }
 
+int FigurePainter::rowCount() const {
+  const int columns = columnCount();
+  return (static_cast<int>(panels_.size()) + columns - 1) / columns;
+}
+
+double FigurePainter::cellWidth() const {
+  const int columns = columnCount();
+  return (inner_ - (columns - 1) * units(columnGap)) / columns;
+}
+
 void FigurePainter::layOut(double height) {
   legendTop_ = units(border) + title_.size() * lineHeight(figureFont(titleSize)) + (title_.isEmpty() ? 0.0 : units(0.8));
   const double top = legendTop_ + legend_.height() + units(1.2);
-  const int columns = columnCount(), rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
-  const double panelWidth = (inner_ - (columns - 1) * units(columnGap)) / columns;
-  const double panelHeight = std::max(units(leastHeight), (columns == 1 ? 0.62 : 0.8) * panelWidth);
   const double below = (textHeight() > 0.0 ? units(2.0) : 0.0) + textHeight() + units(border);
-  const double wanted = top + rows * panelHeight + std::max(0, rows - 1) * units(rowGap) + below;
+  const int rows = rowCount();
+  const double gaps = std::max(0, rows - 1) * units(rowGap);
+  const double wantedPlot = std::max(units(leastHeight), plotShape * cellWidth());
+  const ChartPainter::Margins margins = commonMargins(wantedPlot);
+  const double wanted = top + rows * (margins.top + wantedPlot + margins.bottom) + gaps + below;
   size_.setHeight(std::ceil(height > 0.0 ? height : wanted));
   textTop_ = size_.height() - units(border) - textHeight();
-  placePanels(top, size_.height() - below);
+  placePanels(top, (size_.height() - top - below - gaps) / std::max(1, rows), margins);
 }
 
-ChartPainter::Margins FigurePainter::commonMargins(const QSizeF& cell) const {
+ChartPainter::Margins FigurePainter::commonMargins(double plotHeight) const {
   ChartPainter::Margins common;
   for (const ChartPainter& panel : panels_) {
-    const ChartPainter::Margins margins = panel.margins(cell);
+    const ChartPainter::Margins margins = panel.margins(cellWidth(), plotHeight);
     common.left = std::max(common.left, margins.left);
     common.top = std::max(common.top, margins.top);
     common.right = std::max(common.right, margins.right);
@@ -76,11 +88,9 @@ ChartPainter::Margins FigurePainter::commonMargins(const QSizeF& cell) const {
   return common;
 }
 
-void FigurePainter::placePanels(double top, double bottom) {
-  if (panels_.empty()) return;
-  const int columns = columnCount(), rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
-  const QSizeF cell((inner_ - (columns - 1) * units(columnGap)) / columns, (bottom - top - (rows - 1) * units(rowGap)) / rows);
-  const ChartPainter::Margins margins = commonMargins(cell);
+void FigurePainter::placePanels(double top, double cellHeight, const ChartPainter::Margins& margins) {
+  const int columns = columnCount();
+  const QSizeF cell(cellWidth(), cellHeight);
   for (size_t i = 0; i < panels_.size(); ++i) {
     const double x = units(border) + (i % columns) * (cell.width() + units(columnGap));
     const double y = top + (i / columns) * (cell.height() + units(rowGap));

@@ -29,9 +29,11 @@ class FigurePainter {
 
  private:
   void layOut(double height);
-  void placePanels(double top, double bottom);
+  void placePanels(double top, double cellHeight, const ChartPainter::Margins& margins);
   int columnCount() const;
-  ChartPainter::Margins commonMargins(const QSizeF& cell) const;
+  int rowCount() const;
+  double cellWidth() const;
+  ChartPainter::Margins commonMargins(double plotHeight) const;
   double textHeight() const;
   double paintLines(QPainter& painter, const QFont& font, const QStringList& lines, double y) const;
 

@@ -97,7 +97,7 @@ void LegendPainter::paintSymbol(QPainter& painter, const Entry& entry, const QPo
       painter.drawLine(left, right);
       break;
     case Entry::Kind::Breakdown:
-      SeriesStyle(theme_, 0).drawBreakdown(painter, middle);
+      style.drawBreakdown(painter, middle, theme_.axis);
       break;
   }
 }

@@ -61,11 +61,11 @@ void SeriesStyle::drawMarker(QPainter& painter, const QPointF& center) const {
   }
 }
 
-void SeriesStyle::drawBreakdown(QPainter& painter, const QPointF& center) const {
+void SeriesStyle::drawBreakdown(QPainter& painter, const QPointF& center, const QColor& color) const {
   const double r = figureUnitsFromPoints(breakdownRadius);
   painter.setPen(QPen(background_, 3.4 * width_));  // a rim keeps the cross apart from the lines it lies on
   drawCross(painter, center, r);
-  painter.setPen(QPen(color_, 1.7 * width_));
+  painter.setPen(QPen(color, 1.7 * width_));
   drawCross(painter, center, r);
 }
 

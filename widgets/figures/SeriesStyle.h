@@ -22,7 +22,8 @@ class SeriesStyle {
   void drawMarker(QPainter& painter, const QPointF& center) const;
 
   /// The cross where a series stops to mean anything.
-  void drawBreakdown(QPainter& painter, const QPointF& center) const;
+  void drawBreakdown(QPainter& painter, const QPointF& center) const { drawBreakdown(painter, center, color_); }
+  void drawBreakdown(QPainter& painter, const QPointF& center, const QColor& color) const;
 
  private:
   QColor color_, background_;
