@@ -1,9 +1,11 @@
 #include "AnimationData.h"
 
+#include <fstream>
+#include <sstream>
+
 #include "AnimationTableFile.h"
 #include "ExpressionsFile.h"
 #include "FaceLayout.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -14,16 +16,12 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <fstream>
-#include <sstream>
-
 namespace mien {
 
 namespace {
 
 /// The curve that a line holds: by `CurveId`, else by the order of the lines; -1 for none.
-int curveOfLine(vtkPolyData* data, vtkIdType line)
-{
+int curveOfLine(vtkPolyData* data, vtkIdType line) {
   vtkDataArray* ids = data->GetCellData()->GetArray("CurveId");
   for (int index = 0; index < FaceLayout::curveCount; ++index)
     if (ids ? ids->GetTuple1(data->GetNumberOfVerts() + line) == FaceLayout::curveId(index) : line == index)
@@ -32,37 +30,31 @@ int curveOfLine(vtkPolyData* data, vtkIdType line)
 }
 
 void setPoint(vtkPoints* points, vtkDoubleArray* displacement, vtkIdType id, const Eigen::RowVector3d& neutral,
-  const Eigen::RowVector3d& moved)
-{
+              const Eigen::RowVector3d& moved) {
   const Eigen::RowVector3d shift = moved - neutral;
   points->SetPoint(id, moved.data());
   displacement->SetTypedTuple(id, shift.data());
 }
 
-vtkSmartPointer<vtkPoints> doublePoints(vtkPoints* source)
-{
+vtkSmartPointer<vtkPoints> doublePoints(vtkPoints* source) {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataTypeToDouble();
   points->DeepCopy(source);
   return points;
 }
 
-} // namespace
+}  // namespace
 
-std::string readAnimationTable(const std::string& fileName, AnimationTable& table)
-{
-  if (fileName.empty())
-    return table.parse(AnimationTableFile());
+std::string readAnimationTable(const std::string& fileName, AnimationTable& table) {
+  if (fileName.empty()) return table.parse(AnimationTableFile());
   std::ifstream file(fileName, std::ios::binary);
   std::ostringstream text;
-  if (!file || !(text << file.rdbuf()))
-    return fileName + ": the animation table cannot be read; give a JSON file";
+  if (!file || !(text << file.rdbuf())) return fileName + ": the animation table cannot be read; give a JSON file";
   const std::string fault = table.parse(text.str());
   return fault.empty() ? fault : fileName + ": " + fault;
 }
 
-const ExpressionLibrary& defaultExpressions()
-{
+const ExpressionLibrary& defaultExpressions() {
   static const ExpressionLibrary library = [] {
     ExpressionLibrary parsed;
     parsed.parse(ExpressionsFile());
@@ -71,8 +63,7 @@ const ExpressionLibrary& defaultExpressions()
   return library;
 }
 
-void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* input, vtkPolyData* output)
-{
+void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* input, vtkPolyData* output) {
   output->ShallowCopy(input);
   vtkSmartPointer<vtkPoints> points = doublePoints(input->GetPoints());
   vtkNew<vtkDoubleArray> displacement;
@@ -82,18 +73,16 @@ void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vt
   displacement->Fill(0.0);
   vtkNew<vtkIdList> ids;
   const int k = neutral.pointsPerCurve;
-  for (vtkIdType line = 0; line < input->GetNumberOfLines(); ++line)
-  {
+  for (vtkIdType line = 0; line < input->GetNumberOfLines(); ++line) {
     const int curve = curveOfLine(input, line);
-    if (curve < 0)
-      continue;
+    if (curve < 0) continue;
     input->GetLines()->GetCellAtId(line, ids);
     for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
       setPoint(points, displacement, ids->GetId(i), neutral.points.row(curve * k + i % k),
-        moved.points.row(curve * k + i % k));
+               moved.points.row(curve * k + i % k));
   }
   output->SetPoints(points);
   output->GetPointData()->AddArray(displacement);
 }
 
-} // namespace mien
+}  // namespace mien

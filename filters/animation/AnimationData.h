@@ -1,14 +1,12 @@
 #pragma once
 
-#include "MienAnimationModule.h"
+#include <string>
+#include <vector>
 
 #include "AnimationTable.h"
 #include "ClosedCurves.h"
 #include "ExpressionLibrary.h"
-
-#include <string>
-#include <vector>
-
+#include "MienAnimationModule.h"
 #include "vtkType.h"
 
 class vtkPolyData;
@@ -26,4 +24,4 @@ MIENANIMATION_EXPORT const ExpressionLibrary& defaultExpressions();
 /// the point array `Displacement` (mm).
 void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* input, vtkPolyData* output);
 
-} // namespace mien
+}  // namespace mien

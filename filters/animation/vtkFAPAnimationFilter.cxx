@@ -1,10 +1,14 @@
 #include "vtkFAPAnimationFilter.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
 #include "AnimationData.h"
 #include "BoundaryCurveData.h"
 #include "FAPTableData.h"
 #include "FaceAnimator.h"
-
 #include "vtkAlgorithmOutput.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
@@ -14,27 +18,18 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-
 vtkStandardNewMacro(vtkFAPAnimationFilter);
 
-namespace
-{
+namespace {
 
 /// Copies a time when there is one.
-void passTime(vtkInformation* from, vtkInformation* to, vtkInformationDoubleKey* key)
-{
-  if (from->Has(key))
-    to->Set(key, from->Get(key));
+void passTime(vtkInformation* from, vtkInformation* to, vtkInformationDoubleKey* key) {
+  if (from->Has(key)) to->Set(key, from->Get(key));
 }
 
-} // namespace
+}  // namespace
 
-struct vtkFAPAnimationFilter::Internals
-{
+struct vtkFAPAnimationFilter::Internals {
   mien::FAPFrame Values;
   std::map<std::string, double> Expressions;
   std::string TableFileName;
@@ -42,46 +37,36 @@ struct vtkFAPAnimationFilter::Internals
   mien::FaceAnimator Animator;
   bool Bound = false;
   bool TableChanged = true;
-  vtkPolyData* BoundInput = nullptr; // compared with, never used
+  vtkPolyData* BoundInput = nullptr;  // compared with, never used
   vtkMTimeType BoundTime = 0;
   std::set<int> Ignored;
 };
 
-vtkFAPAnimationFilter::vtkFAPAnimationFilter()
-  : Impl(std::make_unique<Internals>())
-{
+vtkFAPAnimationFilter::vtkFAPAnimationFilter() : Impl(std::make_unique<Internals>()) {
   this->SetNumberOfInputPorts(2);
 }
 
 vtkFAPAnimationFilter::~vtkFAPAnimationFilter() = default;
 
-int vtkFAPAnimationFilter::FillInputPortInformation(int port, vtkInformation* info)
-{
+int vtkFAPAnimationFilter::FillInputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkTable");
-  if (port == 1)
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  if (port == 1) info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
 
-void vtkFAPAnimationFilter::SetFAPConnection(vtkAlgorithmOutput* frames)
-{
+void vtkFAPAnimationFilter::SetFAPConnection(vtkAlgorithmOutput* frames) {
   this->SetInputConnection(1, frames);
 }
 
-bool vtkFAPAnimationFilter::CheckFAP(int fap)
-{
-  if (fap >= mien::FAPFrame::firstLowLevel && fap <= mien::FAPFrame::count)
-    return true;
+bool vtkFAPAnimationFilter::CheckFAP(int fap) {
+  if (fap >= mien::FAPFrame::firstLowLevel && fap <= mien::FAPFrame::count) return true;
   vtkErrorMacro(<< "FAP " << fap << " has no value that can be set; use 3 to " << mien::FAPFrame::count);
   return false;
 }
 
-void vtkFAPAnimationFilter::SetFAP(int fap, double value)
-{
-  if (!this->CheckFAP(fap) || value == this->Impl->Values.value(fap))
-    return;
-  if (!std::isfinite(value))
-  {
+void vtkFAPAnimationFilter::SetFAP(int fap, double value) {
+  if (!this->CheckFAP(fap) || value == this->Impl->Values.value(fap)) return;
+  if (!std::isfinite(value)) {
     vtkErrorMacro(<< "the value of FAP " << fap << " is not finite; give a number");
     return;
   }
@@ -89,156 +74,125 @@ void vtkFAPAnimationFilter::SetFAP(int fap, double value)
   this->Modified();
 }
 
-double vtkFAPAnimationFilter::GetFAP(int fap) const
-{
+double vtkFAPAnimationFilter::GetFAP(int fap) const {
   const bool known = fap >= mien::FAPFrame::firstLowLevel && fap <= mien::FAPFrame::count;
   return known ? this->Impl->Values.value(fap) : 0.0;
 }
 
-void vtkFAPAnimationFilter::ClearFAPs()
-{
-  if (this->Impl->Values.isNeutral())
-    return;
+void vtkFAPAnimationFilter::ClearFAPs() {
+  if (this->Impl->Values.isNeutral()) return;
   this->Impl->Values = mien::FAPFrame();
   this->Modified();
 }
 
-void vtkFAPAnimationFilter::SetExpression(const std::string& name, double intensity)
-{
-  if (!mien::defaultExpressions().find(name))
-  {
+void vtkFAPAnimationFilter::SetExpression(const std::string& name, double intensity) {
+  if (!mien::defaultExpressions().find(name)) {
     vtkErrorMacro(<< "there is no expression \"" << name << "\"; GetExpressionNames() lists them");
     return;
   }
-  if (!(intensity >= 0.0 && intensity <= 1.0))
-  {
+  if (!(intensity >= 0.0 && intensity <= 1.0)) {
     vtkErrorMacro(<< "the intensity of " << name << " is " << intensity << "; it must lie within 0 and 1");
     return;
   }
-  if (this->GetExpression(name) == intensity)
-    return;
+  if (this->GetExpression(name) == intensity) return;
   this->Impl->Expressions[name] = intensity;
   this->Modified();
 }
 
-double vtkFAPAnimationFilter::GetExpression(const std::string& name) const
-{
+double vtkFAPAnimationFilter::GetExpression(const std::string& name) const {
   const auto found = this->Impl->Expressions.find(name);
   return found == this->Impl->Expressions.end() ? 0.0 : found->second;
 }
 
-void vtkFAPAnimationFilter::ClearExpressions()
-{
-  if (this->Impl->Expressions.empty())
-    return;
+void vtkFAPAnimationFilter::ClearExpressions() {
+  if (this->Impl->Expressions.empty()) return;
   this->Impl->Expressions.clear();
   this->Modified();
 }
 
-std::vector<std::string> vtkFAPAnimationFilter::GetExpressionNames()
-{
+std::vector<std::string> vtkFAPAnimationFilter::GetExpressionNames() {
   std::vector<std::string> names;
   for (const mien::ExpressionProfile& expression : mien::defaultExpressions().expressions())
     names.push_back(expression.name);
   return names;
 }
 
-std::string vtkFAPAnimationFilter::GetExpressionDefinition(const std::string& name)
-{
+std::string vtkFAPAnimationFilter::GetExpressionDefinition(const std::string& name) {
   const mien::ExpressionProfile* expression = mien::defaultExpressions().find(name);
   return expression ? expression->definition : std::string();
 }
 
-double vtkFAPAnimationFilter::GetExpressionFAP(const std::string& name, int fap)
-{
+double vtkFAPAnimationFilter::GetExpressionFAP(const std::string& name, int fap) {
   mien::FAPFrame frame;
   const bool known = fap >= mien::FAPFrame::firstLowLevel && fap <= mien::FAPFrame::count;
   mien::defaultExpressions().add(name, 1.0, frame);
   return known ? frame.value(fap) : 0.0;
 }
 
-void vtkFAPAnimationFilter::SetAnimationTableFileName(const std::string& name)
-{
-  if (name == this->Impl->TableFileName)
-    return;
+void vtkFAPAnimationFilter::SetAnimationTableFileName(const std::string& name) {
+  if (name == this->Impl->TableFileName) return;
   this->Impl->TableFileName = name;
   this->Impl->TableChanged = true;
   this->Modified();
 }
 
-std::string vtkFAPAnimationFilter::GetAnimationTableFileName() const
-{
+std::string vtkFAPAnimationFilter::GetAnimationTableFileName() const {
   return this->Impl->TableFileName;
 }
 
-double vtkFAPAnimationFilter::GetFAPUnit(const std::string& symbol) const
-{
+double vtkFAPAnimationFilter::GetFAPUnit(const std::string& symbol) const {
   using mien::FAPUnit;
-  for (FAPUnit unit : { FAPUnit::IrisDiameter, FAPUnit::EyeSeparation, FAPUnit::EyeNoseSeparation,
-         FAPUnit::MouthNoseSeparation, FAPUnit::MouthWidth })
-    if (this->Impl->Bound && symbol == mien::symbol(unit))
-      return this->Impl->Animator.units().distance(unit);
+  for (FAPUnit unit : {FAPUnit::IrisDiameter, FAPUnit::EyeSeparation, FAPUnit::EyeNoseSeparation,
+                       FAPUnit::MouthNoseSeparation, FAPUnit::MouthWidth})
+    if (this->Impl->Bound && symbol == mien::symbol(unit)) return this->Impl->Animator.units().distance(unit);
   return 0.0;
 }
 
-double vtkFAPAnimationFilter::GetContactClamped() const
-{
+double vtkFAPAnimationFilter::GetContactClamped() const {
   return this->Impl->Bound ? this->Impl->Animator.contactClamped() : 0.0;
 }
 
-int vtkFAPAnimationFilter::GetContactPoints() const
-{
+int vtkFAPAnimationFilter::GetContactPoints() const {
   return this->Impl->Bound ? this->Impl->Animator.contactSamples() : 0;
 }
 
-double vtkFAPAnimationFilter::GetKeptShare() const
-{
+double vtkFAPAnimationFilter::GetKeptShare() const {
   return this->Impl->Bound ? this->Impl->Animator.keptShare() : 1.0;
 }
 
-std::vector<int> vtkFAPAnimationFilter::GetIgnoredFAPs() const
-{
-  return { this->Impl->Ignored.begin(), this->Impl->Ignored.end() };
+std::vector<int> vtkFAPAnimationFilter::GetIgnoredFAPs() const {
+  return {this->Impl->Ignored.begin(), this->Impl->Ignored.end()};
 }
 
-int vtkFAPAnimationFilter::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
+int vtkFAPAnimationFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                                              vtkInformationVector* outputs) {
   using SDDP = vtkStreamingDemandDrivenPipeline;
   vtkInformation* frames = inputs[1]->GetInformationObject(0);
   vtkInformation* out = outputs->GetInformationObject(0);
   // VTK forwards time from the first port only.
-  if (frames && frames->Has(SDDP::TIME_STEPS()))
-    out->CopyEntry(frames, SDDP::TIME_STEPS());
-  if (frames && frames->Has(SDDP::TIME_RANGE()))
-    out->CopyEntry(frames, SDDP::TIME_RANGE());
+  if (frames && frames->Has(SDDP::TIME_STEPS())) out->CopyEntry(frames, SDDP::TIME_STEPS());
+  if (frames && frames->Has(SDDP::TIME_RANGE())) out->CopyEntry(frames, SDDP::TIME_RANGE());
   return 1;
 }
 
-int vtkFAPAnimationFilter::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
+int vtkFAPAnimationFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                                               vtkInformationVector* outputs) {
   using SDDP = vtkStreamingDemandDrivenPipeline;
   vtkInformation* frames = inputs[1]->GetInformationObject(0);
-  if (frames)
-    passTime(outputs->GetInformationObject(0), frames, SDDP::UPDATE_TIME_STEP());
+  if (frames) passTime(outputs->GetInformationObject(0), frames, SDDP::UPDATE_TIME_STEP());
   return 1;
 }
 
 /// Binds the animation table to the face when either is new.
-std::string vtkFAPAnimationFilter::Prepare(vtkPolyData* curves)
-{
+std::string vtkFAPAnimationFilter::Prepare(vtkPolyData* curves) {
   Internals& impl = *this->Impl;
-  if (impl.Bound && !impl.TableChanged && impl.BoundInput == curves && impl.BoundTime == curves->GetMTime())
-    return {};
+  if (impl.Bound && !impl.TableChanged && impl.BoundInput == curves && impl.BoundTime == curves->GetMTime()) return {};
   impl.Bound = false;
   mien::FaceCurves face;
   std::string fault = mien::readFaceCurves(curves, face);
   mien::AnimationTable table;
-  if (fault.empty())
-    fault = mien::readAnimationTable(impl.TableFileName, table);
-  if (fault.empty())
-    fault = impl.Animator.bind(face, table);
+  if (fault.empty()) fault = mien::readAnimationTable(impl.TableFileName, table);
+  if (fault.empty()) fault = impl.Animator.bind(face, table);
   impl.Bound = fault.empty();
   impl.TableChanged = !impl.Bound;
   impl.BoundInput = curves;
@@ -247,73 +201,58 @@ std::string vtkFAPAnimationFilter::Prepare(vtkPolyData* curves)
   return fault;
 }
 
-namespace
-{
+namespace {
 
-std::string readFrame(vtkTable* table, mien::FAPFrame& frame)
-{
-  if (!table)
-    return {};
+std::string readFrame(vtkTable* table, mien::FAPFrame& frame) {
+  if (!table) return {};
   if (table->GetNumberOfRows() != 1)
     return "the FAP table has " + std::to_string(table->GetNumberOfRows()) + " rows; a FAP frame has one";
   const std::string fault = mien::readFAPFrame(table, 0, frame);
   return fault.empty() ? fault : "the FAP table: " + fault;
 }
 
-void addValues(const mien::FAPFrame& values, mien::FAPFrame& frame)
-{
+void addValues(const mien::FAPFrame& values, mien::FAPFrame& frame) {
   for (int fap = mien::FAPFrame::firstLowLevel; fap <= mien::FAPFrame::count; ++fap)
     frame.setValue(fap, frame.value(fap) + values.value(fap));
 }
 
-void copyDataTime(vtkDataObject* from, vtkDataObject* to)
-{
-  if (from)
-    passTime(from->GetInformation(), to->GetInformation(), vtkDataObject::DATA_TIME_STEP());
+void copyDataTime(vtkDataObject* from, vtkDataObject* to) {
+  if (from) passTime(from->GetInformation(), to->GetInformation(), vtkDataObject::DATA_TIME_STEP());
 }
 
-} // namespace
+}  // namespace
 
-int vtkFAPAnimationFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
+int vtkFAPAnimationFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
   vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
   vtkTable* table = inputs[1]->GetNumberOfInformationObjects() > 0 ? vtkTable::GetData(inputs[1]) : nullptr;
   this->UpdateProgress(0.0);
   mien::FAPFrame frame;
   std::string fault = curves ? this->Prepare(curves) : "there are no boundary curves on port 0";
-  if (fault.empty())
-    fault = readFrame(table, frame);
-  if (!fault.empty())
-  {
+  if (fault.empty()) fault = readFrame(table, frame);
+  if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
   addValues(this->Impl->Values, frame);
-  for (const auto& [name, intensity] : this->Impl->Expressions)
-    mien::defaultExpressions().add(name, intensity, frame);
-  if (this->GetAbortExecute())
-    return 1;
+  for (const auto& [name, intensity] : this->Impl->Expressions) mien::defaultExpressions().add(name, intensity, frame);
+  if (this->GetAbortExecute()) return 1;
   const mien::ClosedCurves& moved = this->Impl->Animator.animate(frame);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   mien::writeMovedCurves(this->Impl->Animator.neutral().curves, moved, curves, output);
   copyDataTime(table, output);
   const size_t known = this->Impl->Ignored.size();
-  for (int fap : this->Impl->Animator.ignoredFAPs(frame))
-    this->Impl->Ignored.insert(fap);
-  if (this->Impl->Ignored.size() > known)
-    this->InvokeEvent(IgnoredFAPsEvent);
+  for (int fap : this->Impl->Animator.ignoredFAPs(frame)) this->Impl->Ignored.insert(fap);
+  if (this->Impl->Ignored.size() > known) this->InvokeEvent(IgnoredFAPsEvent);
   return 1;
 }
 
-void vtkFAPAnimationFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkFAPAnimationFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   const Internals& impl = *this->Impl;
   os << indent << "AnimationTableFileName: " << (impl.TableFileName.empty() ? "(compiled in)" : impl.TableFileName)
      << "\n";
   for (int fap = mien::FAPFrame::firstLowLevel; fap <= mien::FAPFrame::count; ++fap)
-    if (impl.Values.value(fap) != 0.0)
-      os << indent << "FAP " << fap << ": " << impl.Values.value(fap) << "\n";
+    if (impl.Values.value(fap) != 0.0) os << indent << "FAP " << fap << ": " << impl.Values.value(fap) << "\n";
   for (const auto& [name, intensity] : impl.Expressions)
     os << indent << "Expression " << name << ": " << intensity << "\n";
 }

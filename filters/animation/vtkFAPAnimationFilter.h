@@ -9,7 +9,8 @@
  * mm, against the neutral); all other arrays are passed.
  *
  * Equation: displacement = sum over the FAPs of value x FAPU / 1024 x direction x weight, piecewise linear per
- * FAP [Sheng et al. 2011, section 5]; lips and lids touch but do not cross. No FAPs give the input's points bit for bit.
+ * FAP [Sheng et al. 2011, section 5]; lips and lids touch but do not cross. No FAPs give the input's points bit for
+ * bit.
  *
  * Time: the steps of the FAP table are published on the output, and a time request is passed on to it.
  * Errors: curves that are no face or lack a feature point, a table or animation table that cannot be read. The
@@ -19,26 +20,22 @@
 #ifndef vtkFAPAnimationFilter_h
 #define vtkFAPAnimationFilter_h
 
-#include "MienAnimationModule.h"
-#include "vtkCommand.h"
-#include "vtkPolyDataAlgorithm.h"
-
 #include <memory>
 #include <string>
 #include <vector>
 
-class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm
-{
-public:
+#include "MienAnimationModule.h"
+#include "vtkCommand.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
+ public:
   static vtkFAPAnimationFilter* New();
   vtkTypeMacro(vtkFAPAnimationFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /** Invoked when a frame sets FAPs that move nothing and were not reported before; see GetIgnoredFAPs(). */
-  enum Events
-  {
-    IgnoredFAPsEvent = vtkCommand::UserEvent + 101
-  };
+  enum Events { IgnoredFAPsEvent = vtkCommand::UserEvent + 101 };
 
   /** The source of FAP frames on port 1; without one only the values set here count. */
   void SetFAPConnection(vtkAlgorithmOutput* frames);
@@ -91,7 +88,7 @@ public:
   std::vector<int> GetIgnoredFAPs() const;
   ///@}
 
-protected:
+ protected:
   vtkFAPAnimationFilter();
   ~vtkFAPAnimationFilter() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -99,7 +96,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-private:
+ private:
   vtkFAPAnimationFilter(const vtkFAPAnimationFilter&) = delete;
   void operator=(const vtkFAPAnimationFilter&) = delete;
 

@@ -1,12 +1,11 @@
 #include "AnimationTable.h"
 
-#include "FAPTable.h"
-
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "FAPTable.h"
 
 namespace mien {
 
@@ -54,7 +53,8 @@ void parsePlace(const std::string& place, ProfileKnot& knot) {
 }
 
 ProfileKnot parseKnot(const Json& json, ProfileShape shape) {
-  if (!json.is_array() || json.size() < 2 || json.size() > 3) refuse("a knot must be [place, weight] or [place, weight, shape]");
+  if (!json.is_array() || json.size() < 2 || json.size() > 3)
+    refuse("a knot must be [place, weight] or [place, weight, shape]");
   ProfileKnot knot;
   parsePlace(json[0].get<std::string>(), knot);
   knot.weight = parseNumber(json[1], "the weight of a knot");
@@ -122,7 +122,8 @@ AnimationPart parsePart(const Json& json, const AnimationEntry& entry) {
 }
 
 void parseEntry(const Json& json, AnimationEntry& entry) {
-  if (fapDefinition(entry.fap).unit == FAPUnit::Angle) refuse("it turns by an angle, which a table of shifts cannot hold");
+  if (fapDefinition(entry.fap).unit == FAPUnit::Angle)
+    refuse("it turns by an angle, which a table of shifts cannot hold");
   const std::string fault = entry.intervals.setBorders(json.at("borders").get<std::vector<double>>());
   if (!fault.empty()) refuse(fault);
   entry.group = json.value("group", std::string());

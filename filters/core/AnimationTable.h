@@ -1,13 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
 #include "FaceLayout.h"
 #include "PiecewiseLinear.h"
 #include "WeightProfile.h"
-
-#include <Eigen/Core>
-
-#include <string>
-#include <vector>
 
 namespace mien {
 

@@ -1,9 +1,9 @@
 #include "ContactClamp.h"
 
-#include "FineColumns.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "FineColumns.h"
 
 namespace mien {
 

@@ -1,12 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <vector>
+
 #include "AnimationTable.h"
 #include "ClosedCurves.h"
 #include "MotionBasis.h"
-
-#include <Eigen/Core>
-
-#include <vector>
 
 namespace mien {
 
@@ -27,7 +26,7 @@ class ContactClamp {
 
   void reset();  ///< forgets the last frame
 
-  double clamped() const { return clamped_; }          ///< deepest crossing that was undone, mm
+  double clamped() const { return clamped_; }             ///< deepest crossing that was undone, mm
   int clampedSamples() const { return clampedSamples_; }  ///< samples that were moved
 
  private:

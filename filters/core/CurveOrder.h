@@ -1,9 +1,9 @@
 #pragma once
 
+#include <vector>
+
 #include "AnimationTable.h"
 #include "ClosedCurves.h"
-
-#include <vector>
 
 namespace mien {
 

@@ -1,9 +1,8 @@
 #include "ExpressionLibrary.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace mien {
@@ -53,7 +52,8 @@ std::string ExpressionLibrary::parse(const std::string& json) {
 }
 
 const ExpressionProfile* ExpressionLibrary::find(const std::string& name) const {
-  const auto found = std::find_if(expressions_.begin(), expressions_.end(), [&](const auto& e) { return e.name == name; });
+  const auto found =
+      std::find_if(expressions_.begin(), expressions_.end(), [&](const auto& e) { return e.name == name; });
   return found == expressions_.end() ? nullptr : &*found;
 }
 

@@ -1,18 +1,18 @@
 #pragma once
 
-#include "FAPFrame.h"
-
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "FAPFrame.h"
 
 namespace mien {
 
 /// One facial expression as FAP values at full intensity.
 struct ExpressionProfile {
-  std::string name;        ///< "joy"
-  int select = 0;          ///< the number that FAP 2 selects it by, 1 .. 6
-  std::string definition;  ///< what the standard says it looks like, in words
+  std::string name;                            ///< "joy"
+  int select = 0;                              ///< the number that FAP 2 selects it by, 1 .. 6
+  std::string definition;                      ///< what the standard says it looks like, in words
   std::vector<std::pair<int, double>> values;  ///< FAP number and value
 };
 

@@ -62,8 +62,7 @@ std::string measureFAPUnits(const FaceCurves& face, FAPUnits& units) {
   FeatureFinder find(face);
   const double noseBase = find.at("9.15").y();
   FAPUnits measured;
-  measured.irisDiameter =
-      0.5 * (find.at("3.1").y() - find.at("3.3").y() + find.at("3.2").y() - find.at("3.4").y());
+  measured.irisDiameter = 0.5 * (find.at("3.1").y() - find.at("3.3").y() + find.at("3.2").y() - find.at("3.4").y());
   measured.eyeSeparation = face.leftPupil.x() - face.rightPupil.x();
   measured.eyeNoseSeparation = 0.5 * (face.leftPupil.y() + face.rightPupil.y()) - noseBase;
   measured.mouthNoseSeparation = noseBase - find.at("2.2").y();

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <string>
+
 #include "FAPUnit.h"
 #include "FaceCurves.h"
-
-#include <string>
 
 namespace mien {
 

@@ -45,8 +45,7 @@ void FaceAnimator::limitGroups(const FAPFrame& frame) {
   for (int group = 0; group < static_cast<int>(basis.groups().size()); ++group) {
     double largest = 0.0;
     for (const FAPMotion& motion : basis.motions())
-      if (motion.group == group)
-        largest = std::max(largest, motion.reach(MotionBasis::usableValue(frame, motion.fap)));
+      if (motion.group == group) largest = std::max(largest, motion.reach(MotionBasis::usableValue(frame, motion.fap)));
     for (int row : basis.pointsOfGroup(group)) {
       const Eigen::RowVector3d start = bound_->neutral.curves.points.row(row);
       Eigen::RowVector3d shift = bound_->animated.points.row(row) - start;

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "AnimationTable.h"
 #include "ContactClamp.h"
 #include "CurveOrder.h"
@@ -7,10 +11,6 @@
 #include "FAPUnits.h"
 #include "FaceCurves.h"
 #include "MotionBasis.h"
-
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace mien {
 

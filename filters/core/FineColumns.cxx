@@ -1,8 +1,8 @@
 #include "FineColumns.h"
 
-#include "ClosedCurves.h"
-
 #include <cmath>
+
+#include "ClosedCurves.h"
 
 namespace mien {
 

@@ -1,12 +1,12 @@
 #include "MotionBasis.h"
 
-#include "FAPTable.h"
-#include "StaggeredWeights.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
+
+#include "FAPTable.h"
+#include "StaggeredWeights.h"
 
 namespace mien {
 
@@ -115,8 +115,9 @@ std::string MotionBasis::staggerParts(BoundParts& parts) {
   for (const auto& [key, profiles] : sharing) staggered.share(profiles);
   const int fault = staggered.solve();
   if (fault >= 0)
-    return named(parts[partOf[fault]].entry->fap,
-                 "its profile is too narrow for this face to move the feature point exactly; use more points per curve");
+    return named(
+        parts[partOf[fault]].entry->fap,
+        "its profile is too narrow for this face to move the feature point exactly; use more points per curve");
   for (size_t i = 0; i < parts.size(); ++i)
     if (numberOf[i] >= 0) parts[i].weights = staggered.weights(numberOf[i]);
   return {};

@@ -1,15 +1,14 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <map>
+#include <string>
+#include <vector>
+
 #include "AnimationTable.h"
 #include "FAPFrame.h"
 #include "FAPUnits.h"
 #include "FaceCurves.h"
-
-#include <Eigen/Core>
-
-#include <map>
-#include <string>
-#include <vector>
 
 namespace mien {
 
@@ -18,9 +17,9 @@ struct FAPMotion {
   int fap = 0;
   int group = -1;  ///< number of the group, or -1
   PiecewiseLinear intervals;
-  std::vector<int> rows;                        ///< the samples it moves, as rows of ClosedCurves::points
-  std::vector<ClosedCurves::Points> perValue;   ///< per interval: mm for one FAP value, a row per sample
-  std::vector<ClosedCurves::Points> slopes;     ///< per part: mm for one FAP value at weight 1, a row per interval
+  std::vector<int> rows;                       ///< the samples it moves, as rows of ClosedCurves::points
+  std::vector<ClosedCurves::Points> perValue;  ///< per interval: mm for one FAP value, a row per sample
+  std::vector<ClosedCurves::Points> slopes;    ///< per part: mm for one FAP value at weight 1, a row per interval
 
   /// The furthest that this FAP alone takes any point, in mm.
   double reach(double value) const;
@@ -55,7 +54,8 @@ class MotionBasis {
   static std::string collectParts(const FaceCurves& face, const AnimationTable& table, BoundParts& parts);
   static std::string staggerParts(BoundParts& parts);
   void buildMotion(const AnimationEntry& entry, const BoundParts& parts, const ClosedCurves& curves, double unit);
-  void addPart(const BoundPart& part, const ClosedCurves& curves, const ClosedCurves::Points& slopes, FAPMotion& motion);
+  void addPart(const BoundPart& part, const ClosedCurves& curves, const ClosedCurves::Points& slopes,
+               FAPMotion& motion);
   int groupNumber(const std::string& name);
   void keepOwnPoints(int group);
 

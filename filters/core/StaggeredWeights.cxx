@@ -1,11 +1,10 @@
 #include "StaggeredWeights.h"
 
-#include "FineColumns.h"
-
 #include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
+
+#include "FineColumns.h"
 
 namespace mien {
 

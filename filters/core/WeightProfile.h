@@ -1,11 +1,10 @@
 #pragma once
 
-#include "FaceCurves.h"
-
 #include <Eigen/Core>
-
 #include <string>
 #include <vector>
+
+#include "FaceCurves.h"
 
 namespace mien {
 
@@ -18,9 +17,9 @@ enum class ProfileShape {
 
 /// A place along v, told by a feature point and an offset so that it holds on every face, and the weight there.
 struct ProfileKnot {
-  std::string feature;    ///< MPEG-4 name, or several as "2.4|8.3": the first that the face has
-  double offset = 0.0;    ///< radians
-  double weight = 0.0;    ///< 0 .. 1
+  std::string feature;                          ///< MPEG-4 name, or several as "2.4|8.3": the first that the face has
+  double offset = 0.0;                          ///< radians
+  double weight = 0.0;                          ///< 0 .. 1
   ProfileShape shape = ProfileShape::Sinusoid;  ///< towards the next knot
 };
 

@@ -1,9 +1,8 @@
-#include "AnimationTable.h"
+#include <gtest/gtest.h>
 
+#include "AnimationTable.h"
 #include "DataFile.h"
 #include "FAPTable.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 

@@ -1,10 +1,10 @@
+#include <gtest/gtest.h>
+
 #include "DataFile.h"
 #include "FAPParser.h"
 #include "FAPTable.h"
 #include "FaceAnimator.h"
 #include "SyntheticFace.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 

@@ -1,11 +1,10 @@
-#include "ExpressionLibrary.h"
-
-#include "DataFile.h"
-#include "FAPTable.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
+
+#include "DataFile.h"
+#include "ExpressionLibrary.h"
+#include "FAPTable.h"
 
 using namespace mien;
 
@@ -42,7 +41,8 @@ TEST(ExpressionLibrary, RefusesFaultsAndNamesTheExpression) {
   ExpressionLibrary library;
   const auto fault = [&](const std::string& faps) {
     return library.parse(R"({"format": "mien expressions", "version": 1, "expressions": [{"name": "joy", "select": 1,
-      "definition": "d", "faps": )" + faps + "}]}");
+      "definition": "d", "faps": )" +
+                         faps + "}]}");
   };
   EXPECT_EQ(fault(R"({"53": 10})"), "");
   EXPECT_NE(fault(R"({"530": 10})").find("joy: \"530\" is no FAP"), std::string::npos);

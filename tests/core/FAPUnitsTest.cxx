@@ -1,8 +1,7 @@
-#include "FAPUnits.h"
-
-#include "SyntheticFace.h"
-
 #include <gtest/gtest.h>
+
+#include "FAPUnits.h"
+#include "SyntheticFace.h"
 
 using namespace mien;
 

@@ -1,10 +1,9 @@
-#include "PiecewiseLinear.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-
 #include <cmath>
+
+#include "PiecewiseLinear.h"
 
 using namespace mien;
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "TextFile.h"
-
 #include <string>
+
+#include "TextFile.h"
 
 /// The text of a file of the repository's data folder.
 inline std::string readDataFile(const std::string& relative) {

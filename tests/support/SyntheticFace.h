@@ -1,12 +1,12 @@
 #pragma once
 
-#include "FaceCurves.h"
-#include "FaceLayout.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
+
+#include "FaceCurves.h"
+#include "FaceLayout.h"
 
 /// A face of formulas, for tests: the layout and the feature points of the generic face on an ellipsoid-like
 /// head. Eyes from x = 18 to 45 mm with a lid gap of 8 mm, a closed mouth from x = -25 to 25 mm.
@@ -16,8 +16,7 @@ class SyntheticFace {
     mien::FaceCurves face;
     face.curves = mien::ClosedCurves(mien::FaceLayout::curveCount, pointsPerCurve);
     for (int c = 0; c < face.curves.count; ++c)
-      for (int j = 0; j < pointsPerCurve; ++j)
-        face.curves.curve(c).row(j) = point(c, mirrorExact(j, pointsPerCurve));
+      for (int j = 0; j < pointsPerCurve; ++j) face.curves.curve(c).row(j) = point(c, mirrorExact(j, pointsPerCurve));
     addFeatures(face);
     face.leftPupil = {31.5, 0.0, 85.0};
     face.rightPupil = {-31.5, 0.0, 85.0};
@@ -45,14 +44,23 @@ class SyntheticFace {
     x = std::abs(x);
     const double eye = bump(x, 18.0, 45.0), mouth = bump(x + 25.0, 0.0, 50.0);
     const double lip = x < 25.0 ? 0.0 : std::min(x - 25.0, 20.0) * 0.2;
-    const std::array<std::pair<int, double>, 12> keys = {{{0, 75.0}, {5, 20.0 + 3.0 * bump(x, 5.0, 55.0)},
-        {8, 1.0 + 3.0 * eye}, {9, -1.0 - 3.0 * eye}, {14, -32.0}, {17, -45.0}, {20, -64.0 + lip + 6.0 * mouth},
-        {21, -65.5}, {22, -65.5}, {23, -67.0 - lip - 8.0 * mouth}, {28, -110.0}, {28, -110.0}}};
+    const std::array<std::pair<int, double>, 12> keys = {{{0, 75.0},
+                                                          {5, 20.0 + 3.0 * bump(x, 5.0, 55.0)},
+                                                          {8, 1.0 + 3.0 * eye},
+                                                          {9, -1.0 - 3.0 * eye},
+                                                          {14, -32.0},
+                                                          {17, -45.0},
+                                                          {20, -64.0 + lip + 6.0 * mouth},
+                                                          {21, -65.5},
+                                                          {22, -65.5},
+                                                          {23, -67.0 - lip - 8.0 * mouth},
+                                                          {28, -110.0},
+                                                          {28, -110.0}}};
     double y = keys[0].second;
     for (size_t i = 0; i + 1 < keys.size(); ++i)
       if (curve >= keys[i].first && curve <= keys[i + 1].first && keys[i].first < keys[i + 1].first)
-        y = keys[i].second + (keys[i + 1].second - keys[i].second) * (curve - keys[i].first) /
-                                 (keys[i + 1].first - keys[i].first);
+        y = keys[i].second +
+            (keys[i + 1].second - keys[i].second) * (curve - keys[i].first) / (keys[i + 1].first - keys[i].first);
     const double step = curve < 22 ? curve : curve - 1;
     const double even = 75.0 - 185.0 * step / 27.0;
     const double s = std::clamp((azimuth - 0.8) / 1.1, 0.0, 1.0);
@@ -74,17 +82,23 @@ class SyntheticFace {
       const char *left, *right, *curve;
       double x;
     };
-    for (const Place& p : {Place{"4.1", "4.2", "C6", 12.0}, {"4.3", "4.4", "C6", 32.0}, {"4.5", "4.6", "C6", 52.0},
-                           {"3.1", "3.2", "C9", 31.5}, {"3.3", "3.4", "C10", 31.5}, {"9.1", "9.2", "C17", 16.0},
-                           {"5.3", "5.4", "C13", 42.0}, {"8.3", "8.4", "C22", 26.0}, {"2.4", "2.5", "C22", 24.0},
+    for (const Place& p : {Place{"4.1", "4.2", "C6", 12.0},
+                           {"4.3", "4.4", "C6", 32.0},
+                           {"4.5", "4.6", "C6", 52.0},
+                           {"3.1", "3.2", "C9", 31.5},
+                           {"3.3", "3.4", "C10", 31.5},
+                           {"9.1", "9.2", "C17", 16.0},
+                           {"5.3", "5.4", "C13", 42.0},
+                           {"8.3", "8.4", "C22", 26.0},
+                           {"2.4", "2.5", "C22", 24.0},
                            {"5.1", "5.2", "C21", 48.0}}) {
       const int curve = mien::FaceLayout::curveIndex(p.curve);
       const double v = parameterAt(face, curve, p.x);
       face.features.push_back({p.left, curve, v});
       face.features.push_back({p.right, curve, 2.0 * M_PI - v});
     }
-    for (const auto& [id, curve] : {std::pair{"2.2", "C22"}, {"2.3", "C22'"}, {"8.1", "C21"}, {"8.2", "C23"},
-                                    {"9.3", "C15"}, {"9.15", "C18"}})
+    for (const auto& [id, curve] :
+         {std::pair{"2.2", "C22"}, {"2.3", "C22'"}, {"8.1", "C21"}, {"8.2", "C23"}, {"9.3", "C15"}, {"9.15", "C18"}})
       face.features.push_back({id, mien::FaceLayout::curveIndex(curve), M_PI});
   }
 };
