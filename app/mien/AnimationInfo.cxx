@@ -1,5 +1,6 @@
 #include "AnimationInfo.h"
 
+#include "CsvText.h"
 #include "FAPSequence.h"
 #include "FAPTable.h"
 #include "Failure.h"
@@ -40,8 +41,17 @@ json describeAnimation(const std::string& file) {
   return description;
 }
 
+namespace {
+
+std::string textOf(const json& value) {
+  if (value.is_string()) return value;
+  return value.is_number_float() ? shortestText(value) : value.dump();
+}
+
+}  // namespace
+
 void printAnimation(const json& animation) {
-  const auto text = [&](const char* key) { return animation[key].is_string() ? animation[key].get<std::string>() : animation[key].dump(); };
+  const auto text = [&](const char* key) { return textOf(animation[key]); };
   printLine("animation", text("file"));
   printLine("version", text("version").empty() ? "none given" : text("version"));
   printLine("name", text("name").empty() ? "none given" : text("name"));

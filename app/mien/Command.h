@@ -13,5 +13,6 @@ void addSurfaceCommand(CLI::App& program);
 void addCurvesCommand(CLI::App& program);
 void addPatchCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
+void addAnimateCommand(CLI::App& program);
 
 }  // namespace mien

@@ -23,6 +23,9 @@ class FaceOptions {
 
   void addAll(CLI::App& command);
 
+  /// An animation file in place of --fap.
+  void setAnimation(const std::string& file) { fap_ = file; }
+
   /// The resolution when none is given. Default: that of FaceState.
   void setDefaultResolution(int rows, int columns);
 

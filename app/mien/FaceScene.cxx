@@ -30,8 +30,7 @@ namespace mien {
 
 namespace {
 
-// Nine samples a pixel make smooth edges whatever the driver can do; large pictures need fewer.
-constexpr int finestFactor = 3, largestComputedSide = 8192;
+constexpr int largestComputedSide = 8192;  // pixels; common drivers can hold twice as much
 constexpr double barShare = 0.14;   // of the picture's width
 constexpr double dotsPerInch = 96.0;
 constexpr double curveOffset = -120.0;  // in 1.6e-5 of the depth drawn, together about 0.5 mm of a head
@@ -42,7 +41,7 @@ constexpr double lines[3] = {0.16, 0.20, 0.26};
 constexpr double curveColor[3] = {0.05, 0.28, 0.55};
 
 int samplingFactor(const SceneStyle& style) {
-  return std::clamp(largestComputedSide / std::max(style.width, style.height), 1, finestFactor);
+  return std::clamp(largestComputedSide / std::max(style.width, style.height), 1, style.samples);
 }
 
 vtkSmartPointer<vtkLight> cameraLight(double x, double y, double z, double intensity, double warmth) {
@@ -84,7 +83,7 @@ FaceScene::FaceScene(FacePipeline& pipeline, const SceneStyle& style)
   window_->SetDPI(static_cast<int>(dotsPerInch * factor_));
   window_->SetSize(style.width * factor_, style.height * factor_);
   window_->AddRenderer(renderer_);
-  placeCamera();
+  placeCamera(outwards_->GetOutput());
 }
 
 FaceScene::~FaceScene() = default;
@@ -183,11 +182,11 @@ void FaceScene::addColors() {
   renderer_->AddViewProp(bar_);
 }
 
-void FaceScene::placeCamera() {
+void FaceScene::placeCamera(vtkPolyData* visible) {
   FaceFrame frame;
   frame.aspect = static_cast<double>(style_.width) / style_.height;
   frame.freeShare = style_.colorBy.empty() ? 1.0 : 1.0 - barShare;
-  placeFaceCamera(outwards_->GetOutput(), style_.view, frame, renderer_->GetActiveCamera());
+  placeFaceCamera(visible, style_.view, frame, renderer_->GetActiveCamera());
 }
 
 vtkSmartPointer<vtkImageData> FaceScene::render() {

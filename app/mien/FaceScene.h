@@ -7,6 +7,7 @@
 
 class vtkActor;
 class vtkImageData;
+class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderWindow;
 class vtkRenderer;
@@ -24,6 +25,9 @@ class FaceScene {
   FaceScene(FacePipeline& pipeline, const SceneStyle& style);
   ~FaceScene();
 
+  /// Frames these points, in place of the surface as it was when the scene was made.
+  void placeCamera(vtkPolyData* visible);
+
   /// Draws the pipeline's present surface: unsigned char, 4 components, of the size asked for.
   vtkSmartPointer<vtkImageData> render();
 
@@ -33,7 +37,6 @@ class FaceScene {
   void updateCurves();
   void addLights();
   void addColors();
-  void placeCamera();
 
   FacePipeline& pipeline_;
   SceneStyle style_;

@@ -29,4 +29,10 @@ class ValueFailure : public Failure {
   explicit ValueFailure(const std::string& sentence) : Failure(sentence, 2) {}
 };
 
+/// The user stopped the command.
+class Stopped : public Failure {
+ public:
+  explicit Stopped(const std::string& sentence) : Failure(sentence, 130) {}
+};
+
 }  // namespace mien

@@ -12,6 +12,7 @@ struct SceneStyle {
   enum class Mesh { Shaded, Wireframe, Both };
 
   int width = 1000, height = 1000;  ///< pixels
+  int samples = 3;                  ///< computed per pixel along each side, for smooth edges
   ViewDirection view;
   Mesh mesh = Mesh::Shaded;
   std::string colorBy;  ///< name of a point or cell array; empty: the plain material

@@ -22,6 +22,18 @@ void addCommands(CLI::App& program) {
   mien::addCurvesCommand(program);
   mien::addPatchCommand(program);
   mien::addRenderCommand(program);
+  mien::addAnimateCommand(program);
+}
+
+/// A first argument that is neither an option nor a command, which CLI11 would only call missing.
+std::string unknownCommand(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return {};
+  std::string names;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) {
+    if (command->get_name() == argv[1]) return {};
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  return std::string("there is no command '") + argv[1] + "'; the commands are " + names;
 }
 
 /// The command that the arguments name, for a hint on where its options are explained.
@@ -53,5 +65,7 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   program.footer("mien COMMAND --help explains a command and gives an example.");
   addCommands(program);
+  const std::string unknown = unknownCommand(program, argc, argv);
+  if (!unknown.empty()) return complain(unknown, wrongOption);
   return run(program, argc, argv);
 }

@@ -100,6 +100,7 @@ struct FacePipeline::Internals
     if (state.fapFile.empty())
       return {};
     using Choice = FaceState::FrameChoice;
+    const bool mixed = state.frameChoice == Choice::Time && state.interpolateFrames;
     int index = static_cast<int>(std::min<double>(state.frame, frames->GetNumberOfFrames()));
     if (state.frameChoice == Choice::Number)
       index = frames->GetIndexOfFrameNumber(state.frame);
@@ -107,7 +108,8 @@ struct FacePipeline::Internals
       index = static_cast<int>(frames->GetSequence().indexAtTime(state.frame));
     if (index < 0 || index >= frames->GetNumberOfFrames())
       return this->describeMissingFrame();
-    frames->SetFrameIndex(index);
+    frames->SetInterpolate(mixed);
+    frames->SetFrameIndex(mixed ? -1 : index);
     return {};
   }
 
@@ -183,7 +185,10 @@ struct FacePipeline::Internals
       fault = this->describeValueFault();
     if (!fault.empty())
       return fault;
-    algorithm->Update();
+    if (frames->GetFrameIndex() < 0 && !state.fapFile.empty())
+      algorithm->UpdateTimeStep(state.frame);
+    else
+      algorithm->Update();
     return this->afterUpdate();
   }
 };

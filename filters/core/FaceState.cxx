@@ -18,7 +18,7 @@ std::string number(double value) {
 
 auto members(const FaceState& s) {
   return std::tie(s.curvesFile, s.surface, s.rows, s.columns, s.uniformRows, s.doublePrecision, s.fapFile, s.frameChoice,
-                  s.frame, s.fapValues, s.expression, s.expressionIntensity);
+                  s.frame, s.interpolateFrames, s.fapValues, s.expression, s.expressionIntensity);
 }
 
 std::string describeResolutionFault(const FaceState& state) {

@@ -34,6 +34,7 @@ struct FaceState {
   std::string fapFile;  ///< .fap; empty: none
   FrameChoice frameChoice = FrameChoice::Index;
   double frame = 0.0;  ///< a frame number, an index or a time in s
+  bool interpolateFrames = false;  ///< whether a time between two frames gives their linear mixture, not the one before
 
   std::map<int, double> fapValues;  ///< FAP 1 .. 68 to FAP units; they add to those of the file
   std::string expression;           ///< "joy" ..; empty: none

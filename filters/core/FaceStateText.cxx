@@ -101,6 +101,7 @@ void readGrid(const json& object, FaceState& state, std::string& fault) {
 void readAnimation(const json& object, FaceState& state, std::string& fault) {
   Members members(object, "animation", fault);
   members.read("file", state.fapFile);
+  members.read("interpolate", state.interpolateFrames);
   int choices = 0;
   for (const auto& [choice, key] : frameKeys)
     if (members.find(key)) {
@@ -183,7 +184,9 @@ std::string writeFaceState(const FaceState& state) {
                     {"columns", state.columns},
                     {"uniform_rows", state.uniformRows},
                     {"precision", state.doublePrecision ? "double" : "single"}};
-  if (!state.fapFile.empty()) object["animation"] = {{"file", state.fapFile}, {keyOf(state.frameChoice), state.frame}};
+  if (!state.fapFile.empty())
+    object["animation"] = {
+        {"file", state.fapFile}, {keyOf(state.frameChoice), state.frame}, {"interpolate", state.interpolateFrames}};
   if (!state.fapValues.empty()) object["fap_values"] = fapValues(state);
   if (!state.expression.empty())
     object["expression"] = {{"name", state.expression}, {"intensity", state.expressionIntensity}};

@@ -11,7 +11,7 @@ namespace mien {
 /// - `curves`: file name, left out for the generic face;
 /// - `surface`: `scheme`, `a` (nine numbers), `harmonics`, `remainder`, `derivative_strength`;
 /// - `grid`: `rows`, `columns`, `uniform_rows`, `precision` ("single" or "double");
-/// - `animation`: `file` and one of `frame`, `index`, `time` (s); left out without a file;
+/// - `animation`: `file`, one of `frame`, `index`, `time` (s), and `interpolate`; left out without a file;
 /// - `fap_values`: FAP number to FAP units;
 /// - `expression`: `name` and `intensity` (0 .. 1); left out without one.
 /// Numbers are written so that they read back to the bit. A member left out has its default.

@@ -28,6 +28,7 @@ const std::vector<Change> changes = {
     [](FaceState& s) { s.fapFile = "x.fap", s.frame = 12; },
     [](FaceState& s) { s.fapFile = "x.fap", s.frameChoice = FaceState::FrameChoice::Number, s.frame = -40; },
     [](FaceState& s) { s.fapFile = "x.fap", s.frameChoice = FaceState::FrameChoice::Time, s.frame = 1.0 / 25.0; },
+    [](FaceState& s) { s.fapFile = "x.fap", s.interpolateFrames = true; },
     [](FaceState& s) { s.fapValues = {{53, 200.5}, {54, -1e-300}}; },
     [](FaceState& s) { s.expression = "joy"; },
     [](FaceState& s) { s.expression = "joy", s.expressionIntensity = 0.8; },

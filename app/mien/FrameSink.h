@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+class vtkImageData;
+class vtkStructuredGrid;
+
+namespace mien {
+
+struct AnimationFrame;
+
+/// What becomes of the frames of an animation.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+
+  /// Whether add() wants pictures; else it wants surfaces.
+  virtual bool needsPictures() const = 0;
+
+  /// @param picture  3 or 4 components; nullptr when none are needed
+  virtual void add(const AnimationFrame& frame, vtkStructuredGrid* surface, vtkImageData* picture) = 0;
+
+  /// All frames were added, or those before an interruption. Without this call nothing unfinished stays.
+  /// @return what there is now, for people
+  virtual std::string finish(bool complete) = 0;
+};
+
+/// A folder of frame_0000.png, frame_0001.png, ..; frames of an earlier, longer run are removed at the end.
+std::unique_ptr<FrameSink> makePictureFolderSink(const std::string& folder);
+
+/// A ParaView time series: NAME.pvd and a folder NAME of polygon files.
+std::unique_ptr<FrameSink> makeSurfaceSeriesSink(const std::string& name);
+
+/// A film: .ogv by VTK; .mp4 by ffmpeg, when that is installed. Throws a FileFailure when it is not.
+std::unique_ptr<FrameSink> makeMovieSink(const std::string& name, double framesPerSecond);
+
+}  // namespace mien

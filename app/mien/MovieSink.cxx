@@ -1,0 +1,170 @@
+#include "AnimationFrames.h"
+#include "CsvText.h"
+#include "Failure.h"
+#include "FrameSink.h"
+#include "OutputFile.h"
+#include "Picture.h"
+
+#include "vtkImageData.h"
+#include "vtkImageFlip.h"
+#include "vtkNew.h"
+#include "vtkOggTheoraWriter.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace mien {
+
+namespace {
+
+constexpr int notInstalled = 127;
+const char* const evenSides = "pad=ceil(iw/2)*2:ceil(ih/2)*2";  // the usual colour format halves them
+
+vtkSmartPointer<vtkImageData> colorsOf(vtkImageData* picture) {
+  return picture->GetNumberOfScalarComponents() == 4 ? opaque(picture) : vtkSmartPointer<vtkImageData>(picture);
+}
+
+class OggSink : public FrameSink {
+ public:
+  OggSink(const std::string& name, double rate) : file_(name) {
+    writer_->SetFileName(file_.temporaryName().c_str());
+    writer_->SetRate(std::max(1, static_cast<int>(std::lround(rate))));
+    writer_->SetQuality(2);
+  }
+
+  ~OggSink() override {
+    if (started_) writer_->End();
+  }
+
+  bool needsPictures() const override { return true; }
+
+  void add(const AnimationFrame&, vtkStructuredGrid*, vtkImageData* picture) override {
+    const auto colors = colorsOf(picture);
+    writer_->SetInputData(colors);
+    if (!started_) writer_->Start();
+    started_ = true;
+    writer_->Write();
+    if (writer_->GetError()) throw FileFailure(file_.name() + ": the film cannot be written");
+  }
+
+  std::string finish(bool complete) override {
+    writer_->End();
+    started_ = false;
+    if (!complete) return "no film";
+    file_.commit();
+    return "the film " + file_.name();
+  }
+
+ private:
+  OutputFile file_;
+  vtkNew<vtkOggTheoraWriter> writer_;
+  bool started_ = false;
+};
+
+/// ffmpeg as a child that takes raw pictures from a pipe.
+class FfmpegSink : public FrameSink {
+ public:
+  FfmpegSink(const std::string& name, double rate) : file_(name), rate_(rate) {
+    if (!installed()) throw FileFailure(name + ": .mp4 needs ffmpeg, which is not installed; install it or write .ogv");
+    signal(SIGPIPE, SIG_IGN);
+  }
+
+  ~FfmpegSink() override { close(); }
+
+  bool needsPictures() const override { return true; }
+
+  void add(const AnimationFrame&, vtkStructuredGrid*, vtkImageData* picture) override {
+    vtkNew<vtkImageFlip> topDown;
+    topDown->SetInputData(colorsOf(picture));
+    topDown->SetFilteredAxis(1);
+    topDown->Update();
+    vtkImageData* image = topDown->GetOutput();
+    int size[3];
+    image->GetDimensions(size);
+    if (child_ <= 0) start(size);
+    send(static_cast<const char*>(image->GetScalarPointer()), static_cast<size_t>(size[0]) * size[1] * 3);
+  }
+
+  std::string finish(bool complete) override {
+    const bool worked = close();
+    if (!complete) return "no film";
+    if (!worked) throw FileFailure(file_.name() + ": ffmpeg could not write the film");
+    file_.commit();
+    return "the film " + file_.name();
+  }
+
+ private:
+  static bool installed() {
+    const pid_t child = fork();
+    if (child == 0) become({"ffmpeg", "-version"}, -1);
+    int status = 0;
+    return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  }
+
+  [[noreturn]] static void become(std::vector<std::string> command, int input) {
+    setpgid(0, 0);  // Ctrl-C in the terminal is for us
+    const int nowhere = open("/dev/null", O_RDWR);
+    dup2(input >= 0 ? input : nowhere, STDIN_FILENO);
+    dup2(nowhere, STDOUT_FILENO);
+    dup2(nowhere, STDERR_FILENO);
+    std::vector<char*> arguments;
+    for (std::string& argument : command) arguments.push_back(argument.data());
+    arguments.push_back(nullptr);
+    execvp(arguments[0], arguments.data());
+    _exit(notInstalled);
+  }
+
+  void start(const int size[3]) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw FileFailure(file_.name() + ": there is no pipe to ffmpeg");
+    const std::string shape = std::to_string(size[0]) + "x" + std::to_string(size[1]);
+    child_ = fork();
+    if (child_ == 0)
+      become({"ffmpeg", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", shape, "-r", shortestText(rate_), "-i", "-", "-vf",
+              evenSides, "-pix_fmt", "yuv420p", "-movflags", "+faststart", file_.temporaryName()},
+             ends[0]);
+    ::close(ends[0]);
+    pipe_ = ends[1];
+  }
+
+  void send(const char* bytes, size_t count) {
+    while (count > 0) {
+      const ssize_t sent = write(pipe_, bytes, count);
+      if (sent < 0 && errno == EINTR) continue;
+      if (sent <= 0) throw FileFailure(file_.name() + ": ffmpeg stopped before the film was complete");
+      bytes += sent;
+      count -= static_cast<size_t>(sent);
+    }
+  }
+
+  /// Ends the film; true when ffmpeg was content.
+  bool close() {
+    if (child_ <= 0) return false;
+    ::close(pipe_);
+    int status = 0;
+    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+    }
+    child_ = -1;
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  }
+
+  OutputFile file_;
+  double rate_;
+  pid_t child_ = -1;
+  int pipe_ = -1;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameSink> makeMovieSink(const std::string& name, double framesPerSecond) {
+  if (fileEnding(name) == "mp4") return std::make_unique<FfmpegSink>(name, framesPerSecond);
+  return std::make_unique<OggSink>(name, framesPerSecond);
+}
+
+}  // namespace mien

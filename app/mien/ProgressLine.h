@@ -1,0 +1,25 @@
+#pragma once
+
+#include <chrono>
+
+namespace mien {
+
+/// How far a command is and how long it will take, in one line on stderr when that is a terminal; nothing otherwise.
+class ProgressLine {
+ public:
+  explicit ProgressLine(int total);
+  ~ProgressLine();  ///< takes the line away
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(int done);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  int total_;
+  bool visible_;
+  Clock::time_point begin_ = Clock::now(), shown_;
+};
+
+}  // namespace mien
