@@ -14,5 +14,6 @@ void addCurvesCommand(CLI::App& program);
 void addPatchCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addAnimateCommand(CLI::App& program);
+void addAcquireCommand(CLI::App& program);
 
 }  // namespace mien

@@ -30,13 +30,16 @@ vtkSmartPointer<vtkImageData> smaller(vtkImageData* picture) {
   return resize->GetOutput();
 }
 
-vtkSmartPointer<vtkImageData> textImage(const std::string& text) {
+/// The image may be larger than the text, which begins at its lower left.
+vtkSmartPointer<vtkImageData> textImage(const std::string& text, int& width) {
   vtkNew<vtkTextProperty> style;
   style->SetFontSize(captionSize);
   style->SetColor(0.25, 0.25, 0.28);
   auto image = vtkSmartPointer<vtkImageData>::New();
   int size[2];
-  vtkTextRenderer::GetInstance()->RenderString(style.Get(), vtkStdString(text), image.Get(), size, dotsPerInch, vtkTextRenderer::Default);
+  vtkTextRenderer::GetInstance()->RenderString(style.Get(), vtkStdString(text), image.Get(), size, dotsPerInch,
+                                               vtkTextRenderer::Default);
+  width = size[0];
   return image;
 }
 
@@ -89,8 +92,9 @@ void ContactSheet::write(const std::string& name) const {
   for (int i = 0; i < count; ++i) {
     const int left = gap + i % columns * width, bottom = gap + (down - 1 - i / columns) * height;
     paste(tiles_[i].picture, left, bottom + captionHeight, sheet);
-    const auto text = textImage(tiles_[i].caption);
-    paste(text, left + std::max(0, (tile[0] - text->GetDimensions()[0]) / 2), bottom, sheet);
+    int textWidth = 0;
+    const auto text = textImage(tiles_[i].caption, textWidth);
+    paste(text, left + std::max(0, (tile[0] - textWidth) / 2), bottom, sheet);
   }
   writePNG(sheet, name, {{"Software", "Mien " MIEN_VERSION}});
 }

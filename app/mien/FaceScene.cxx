@@ -137,8 +137,8 @@ void FaceScene::updateCurves() {
 /// Key from the upper left, fill from the right, rim from behind.
 void FaceScene::addLights() {
   renderer_->AutomaticLightCreationOff();
-  renderer_->AddLight(cameraLight(-0.75, 0.85, 1.0, 0.80, 0.05));
-  renderer_->AddLight(cameraLight(1.0, 0.10, 0.7, 0.38, -0.03));
+  renderer_->AddLight(cameraLight(-0.75, 0.85, 1.0, 0.86, 0.05));
+  renderer_->AddLight(cameraLight(1.0, 0.10, 0.7, 0.42, -0.03));
   renderer_->AddLight(cameraLight(0.4, 0.9, -0.9, 0.35, 0.0));
   renderer_->AddLight(cameraLight(0.0, -0.2, 1.0, 0.16, 0.0));
 }

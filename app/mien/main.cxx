@@ -23,6 +23,7 @@ void addCommands(CLI::App& program) {
   mien::addPatchCommand(program);
   mien::addRenderCommand(program);
   mien::addAnimateCommand(program);
+  mien::addAcquireCommand(program);
 }
 
 /// A first argument that is neither an option nor a command, which CLI11 would only call missing.
