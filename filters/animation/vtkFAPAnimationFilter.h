@@ -57,7 +57,7 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   /** "joy", "sadness", "anger", "fear", "disgust", "surprise". */
   static std::vector<std::string> GetExpressionNames();
 
-  /** What the standard says the expression looks like; empty for a name that is none. */
+  /** What the expression looks like, in words; empty for a name that is none. */
   static std::string GetExpressionDefinition(const std::string& name);
 
   /** The FAP value that an expression has at full intensity. */

@@ -12,7 +12,7 @@ namespace mien {
 struct ExpressionProfile {
   std::string name;                            ///< "joy"
   int select = 0;                              ///< the number that FAP 2 selects it by, 1 .. 6
-  std::string definition;                      ///< what the standard says it looks like, in words
+  std::string definition;                      ///< what it looks like, in words
   std::vector<std::pair<int, double>> values;  ///< FAP number and value
 };
 
