@@ -1,13 +1,29 @@
 #include "ModeBasis.h"
 
 #include <cmath>
+#include <vector>
 
 namespace mien {
 
 namespace {
 
-/// Terms of the power series: at |rate (u - 1/2)| <= 2.5 the last is below 1e-30 of the sum.
-constexpr int seriesLength = 72;
+/// Highest derivative of a basis that is ever asked for, and the relative size below which a term of a series is left out.
+constexpr int largestDerivative = 16;
+constexpr Extended negligible = 1e-36L;
+
+/// Terms after which, at |u - 1/2| <= 1/2, all others are below 1e-30 of the sum: 70 at the largest rate and order 4.
+int seriesLength(Extended rate, int order) {
+  int length = 0;
+  for (Extended term = 1; term > negligible; term *= rate / 2 / length) ++length;
+  return length + order + largestDerivative;
+}
+
+/// x^n for small n >= 0.
+Extended power(Extended x, int n) {
+  Extended value = 1;
+  for (int i = 0; i < n; ++i) value *= x;
+  return value;
+}
 
 Extended binomial(int n, int k) {
   Extended value = 1;
@@ -26,8 +42,18 @@ Extended fallingFactorial(int n, int k) {
 Extended decayingTerm(Extended rate, int k, Extended u, int derivative) {
   Extended sum = 0;
   for (int l = 0; l <= std::min(k, derivative); ++l)
-    sum += binomial(derivative, l) * fallingFactorial(k, l) * std::pow(rate * u, k - l) * (((derivative - l) % 2) ? -1 : 1);
-  return sum * std::pow(rate, derivative) * std::exp(-rate * u);
+    sum += binomial(derivative, l) * fallingFactorial(k, l) * power(rate * u, k - l) * (((derivative - l) % 2) ? -1 : 1);
+  return sum * power(rate, derivative) * std::exp(-rate * u);
+}
+
+/// 1 / ((k + 1) (k + 2)), the step from one term of a series to the next but one.
+const std::vector<Extended>& inversesOfSteps() {
+  static const std::vector<Extended> inverses = [] {
+    std::vector<Extended> all;
+    for (int i = 0; i < 256; ++i) all.push_back(1.0L / ((i + 1.0L) * (i + 2.0L)));
+    return all;
+  }();
+  return inverses;
 }
 
 }  // namespace
@@ -43,19 +69,28 @@ ExtendedRow ModeBasis::row(Extended u, int derivative) const {
 // The equation itself is the recursion: y^(i+2m) = - sum_k C(m,k) (-rate^2)^(m-k) y^(i+2k).
 void ModeBasis::fillSeries() {
   const int n = order();
-  series_ = ExtendedMatrix::Zero(seriesLength, n);
+  series_ = ExtendedMatrix::Zero(seriesLength(rate_, n), n);
   series_.topRows(n).setIdentity();
-  for (int i = n; i < seriesLength; ++i)
-    for (int k = 0; k < half_; ++k)
-      series_.row(i) -= binomial(half_, k) * std::pow(-rate_ * rate_, half_ - k) * series_.row(i - n + 2 * k);
+  std::vector<Extended> factors;
+  for (int k = 0; k < half_; ++k) factors.push_back(binomial(half_, k) * power(-rate_ * rate_, half_ - k));
+  for (int i = n; i < series_.rows(); ++i)
+    for (int k = 0; k < half_; ++k) series_.row(i) -= factors[k] * series_.row(i - n + 2 * k);
 }
 
+// y_j^(i) is zero where i - j is odd, so that every column is a polynomial in (u - 1/2)^2, but for a factor u - 1/2.
 ExtendedRow ModeBasis::seriesRow(Extended u, int derivative) const {
-  const Extended s = u - 0.5L;
-  ExtendedRow sum = ExtendedRow::Zero(order());
-  for (int i = seriesLength - 1; i >= derivative; --i)
-    sum = series_.row(i) + sum * (s / (i - derivative + 1));
-  return sum;
+  const Extended s = u - 0.5L, squared = s * s;
+  const int length = static_cast<int>(series_.rows());
+  const std::vector<Extended>& inverses = inversesOfSteps();
+  ExtendedRow row(order());
+  for (int j = 0; j < order(); ++j) {
+    const bool odd = (j + derivative) % 2 != 0;
+    Extended sum = 0;
+    for (int i = length - 1 - (length - 1 - j) % 2; i >= derivative; i -= 2)
+      sum = series_(i, j) + sum * squared * inverses[i - derivative];
+    row[j] = odd ? s * sum : sum;
+  }
+  return row;
 }
 
 ExtendedRow ModeBasis::exponentialRow(Extended u, int derivative) const {

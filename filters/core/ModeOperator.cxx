@@ -45,7 +45,7 @@ ModeOperator::ModeOperator(double rate, const std::vector<Condition>& conditions
   for (int i = 0; i < n; ++i) {
     const Condition& condition = conditions[i];
     const Extended u = (static_cast<Extended>(condition.u) - begin_) / length_;
-    const ExtendedRow row = basis_.row(u, condition.derivative) / std::pow(static_cast<Extended>(length_), condition.derivative);
+    const ExtendedRow row = basis_.row(u, condition.derivative) * unitOf(condition.derivative);
     scale[i] = row.cwiseAbs().maxCoeff();
     system.row(i) = row / scale[i];
     isValue_.push_back(condition.derivative == 0);
@@ -61,8 +61,13 @@ ModeOperator::ModeOperator(double rate, const std::vector<Condition>& conditions
 
 Eigen::RowVectorXd ModeOperator::row(double u, int derivative) const {
   const Extended local = (static_cast<Extended>(u) - begin_) / length_;
-  const Extended unit = std::pow(static_cast<Extended>(length_), derivative);
-  return ((basis_.row(local, derivative) / unit) * coefficients_).cast<double>();
+  return ((basis_.row(local, derivative) * unitOf(derivative)) * coefficients_).cast<double>();
+}
+
+Extended ModeOperator::unitOf(int derivative) const {
+  Extended unit = 1;
+  for (int i = 0; i < derivative; ++i) unit /= length_;
+  return unit;
 }
 
 double ModeOperator::absoluteSum(double u) const {

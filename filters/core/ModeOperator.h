@@ -29,6 +29,8 @@ class ModeOperator {
   double lebesgueConstant() const;
 
  private:
+  /// What turns a derivative with respect to the interval, 0 .. 1, into one with respect to u.
+  Extended unitOf(int derivative) const;
   double absoluteSum(double u) const;
   std::vector<double> lebesgueSamples() const;
 

@@ -73,8 +73,9 @@ Eigen::MatrixXd differenceDerivatives(int order, const std::vector<double>& rate
 Eigen::MatrixXd splineDerivatives(int, const std::vector<double>& rates) {
   const int n = static_cast<int>(rates.size()) + 1;
   Eigen::MatrixXd ofSlopes = Eigen::MatrixXd::Zero(n, n), ofValues = Eigen::MatrixXd::Zero(n, n);
+  Eigen::Matrix<double, 2, 4> curvature;
   for (int interval = 0; interval + 1 < n; ++interval) {
-    const Eigen::Matrix<double, 2, 4> curvature = endCurvatures(rates[interval]);
+    if (interval == 0 || rates[interval] != rates[interval - 1]) curvature = endCurvatures(rates[interval]);
     for (int side = 0; side < 2; ++side)
       for (int end = 0; end < 2; ++end) {
         const double sign = side == 0 ? 1.0 : -1.0;
