@@ -5,7 +5,6 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocalObject.h"
 #include "vtkStaticCellLocator.h"
 #include "vtkTriangle.h"
 
@@ -60,8 +59,6 @@ struct SurfaceDistance::Internals
   std::vector<std::array<vtkIdType, 3>> corners;
   std::vector<Vector> faceNormals;
   std::vector<Vector> cornerNormals;
-  mutable vtkSMPThreadLocalObject<vtkGenericCell> cells;
-  mutable vtkSMPThreadLocalObject<vtkIdList> neighbours;
 
   void fillNormals()
   {
@@ -114,7 +111,7 @@ struct SurfaceDistance::Internals
 
   Vector edgeNormal(vtkIdType cell, vtkIdType begin, vtkIdType end) const
   {
-    vtkIdList* others = neighbours.Local();
+    thread_local vtkNew<vtkIdList> others;
     triangles->GetCellEdgeNeighbors(cell, begin, end, others);
     Vector sum = faceNormals[cell];
     for (vtkIdType i = 0; i < others->GetNumberOfIds(); ++i)
@@ -143,7 +140,8 @@ double SurfaceDistance::operator()(const double point[3], bool withSign) const
   double closest[3], squared = 0.0;
   vtkIdType cell = -1;
   int part = 0;
-  this->Impl->locator->FindClosestPoint(point, closest, this->Impl->cells.Local(), cell, part, squared);
+  thread_local vtkNew<vtkGenericCell> found;
+  this->Impl->locator->FindClosestPoint(point, closest, found, cell, part, squared);
   const double distance = std::sqrt(squared);
   if (!withSign || cell < 0)
     return distance;

@@ -4,11 +4,13 @@
 #include "vtkDataArray.h"
 #include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataConnectivityFilter.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTriangle.h"
 #include "vtkTriangleFilter.h"
@@ -62,6 +64,18 @@ void reverse(vtkPolyData* triangles)
 }
 
 } // namespace
+
+void requestWhole(vtkInformation* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (!input)
+    return;
+  input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (input->Has(Pipeline::WHOLE_EXTENT()))
+    input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+}
 
 vtkSmartPointer<vtkPolyData> visibleSurface(vtkDataObject* data)
 {

@@ -6,10 +6,14 @@
 #include <vector>
 
 class vtkDataObject;
+class vtkInformation;
 class vtkPolyData;
 
 namespace mien
 {
+
+/// Asks an input for all of its data, whatever part of an output is wanted; an input that is not there is none.
+void requestWhole(vtkInformation* input);
 
 /// The visible cells of a structured grid, or a polydata as it is; nothing from anything else.
 vtkSmartPointer<vtkPolyData> visibleSurface(vtkDataObject* data);

@@ -12,7 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
@@ -171,16 +170,8 @@ int vtkSurfaceDistanceFilter::FillOutputPortInformation(int port, vtkInformation
 // Every piece of the output needs both whole inputs: the nearest point can lie anywhere.
 int vtkSurfaceDistanceFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   for (int port = 0; port < 2; ++port)
-  {
-    vtkInformation* info = inputs[port]->GetInformationObject(0);
-    info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-    info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-    info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-    if (info->Has(Pipeline::WHOLE_EXTENT()))
-      info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
+    mien::requestWhole(inputs[port]->GetInformationObject(0));
   return 1;
 }
 
