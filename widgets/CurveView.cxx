@@ -93,10 +93,10 @@ void CurveView::addScale() {
   scale_->SetLookupTable(colors_);
   scale_->SetTitle("moved by (mm)");
   scale_->SetOrientationToHorizontal();
-  scale_->SetNumberOfLabels(3);
+  scale_->SetNumberOfLabels(2);
   scale_->SetLabelFormat("%.0f");
-  scale_->SetPosition(0.25, 0.015);
-  scale_->SetPosition2(0.5, 0.075);
+  scale_->SetPosition(0.2, 0.01);
+  scale_->SetPosition2(0.6, 0.07);
   scale_->UnconstrainedFontSizeOn();
   for (vtkTextProperty* text : {scale_->GetTitleTextProperty(), scale_->GetLabelTextProperty()}) {
     text->SetFontSize(11);

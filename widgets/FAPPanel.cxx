@@ -7,6 +7,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -32,6 +33,7 @@ FAPPanel::FAPPanel(FaceModel* model, QWidget* parent)
   setObjectName("fapPanel");
   tabs_->setObjectName("fapTabs");
   tabs_->setDocumentMode(true);
+  tabs_->tabBar()->setDrawBase(false);
   addTab(brows, tr("Brows"));
   addTab(eyes, tr("Eyes"));
   addTab(cheeks, tr("Cheeks"));

@@ -9,6 +9,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLight.h>
+#include <vtkMath.h>
 #include <vtkPolyData.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
@@ -23,11 +24,49 @@ namespace mien {
 namespace {
 
 constexpr double viewAngle = 14.0;  // degrees: a portrait lens, nearly parallel
-constexpr double margin = 1.08;     // of the face's extent
+constexpr double margin = 1.15;     // of the face's extent; its near parts look larger
 constexpr int samples = 4;          // per pixel, for smooth edges
 
 double degrees(RenderView::Side side) {
   return side == RenderView::Side::Front ? 0.0 : side == RenderView::Side::FortyFive ? 45.0 : 90.0;
+}
+
+/// Of a camera that looks at one side of the face.
+struct Axes {
+  double right[3], up[3] = {0.0, 1.0, 0.0}, out[3];
+
+  explicit Axes(RenderView::Side side) {
+    const double turn = degrees(side) * M_PI / 180.0;
+    right[0] = out[2] = std::cos(turn);
+    right[1] = out[1] = 0.0;
+    out[0] = std::sin(turn);
+    right[2] = -out[0];
+  }
+};
+
+/// The extent of the face along those axes, in mm.
+struct Outline {
+  double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
+
+  void add(int axis, double at) {
+    low[axis] = std::min(low[axis], at);
+    high[axis] = std::max(high[axis], at);
+  }
+  double size(int axis) const { return high[axis] - low[axis]; }
+  double middle(int axis) const { return 0.5 * (low[axis] + high[axis]); }
+};
+
+Outline outlineFrom(RenderView::Side side, vtkPolyData* curves) {
+  const Axes axes(side);
+  Outline outline;
+  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i) {
+    double point[3];
+    curves->GetPoint(i, point);
+    outline.add(0, vtkMath::Dot(axes.right, point));
+    outline.add(1, vtkMath::Dot(axes.up, point));
+    outline.add(2, vtkMath::Dot(axes.out, point));
+  }
+  return outline;
 }
 
 vtkSmartPointer<vtkLight> cameraLight(double x, double y, double z, double intensity, double warmth) {
@@ -65,10 +104,10 @@ RenderView::~RenderView() = default;
 /// Key from the upper left, fill from the right, rim from behind.
 void RenderView::addLights() {
   renderer_->AutomaticLightCreationOff();
-  renderer_->AddLight(cameraLight(-0.75, 0.85, 1.0, 0.78, 0.06));
-  renderer_->AddLight(cameraLight(1.0, 0.05, 0.8, 0.30, -0.04));
-  renderer_->AddLight(cameraLight(0.5, 0.9, -0.9, 0.30, 0.0));
-  renderer_->AddLight(cameraLight(0.0, -0.3, 1.0, 0.10, 0.0));
+  renderer_->AddLight(cameraLight(-0.6, 0.75, 1.0, 0.72, 0.05));
+  renderer_->AddLight(cameraLight(1.0, 0.1, 0.8, 0.42, -0.04));
+  renderer_->AddLight(cameraLight(0.5, 0.9, -0.9, 0.25, 0.0));
+  renderer_->AddLight(cameraLight(0.0, -0.4, 1.0, 0.16, 0.0));
 }
 
 void RenderView::observeMouse() {
@@ -77,12 +116,15 @@ void RenderView::observeMouse() {
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(this);
   observer->SetCallback([](vtkObject*, unsigned long, void* view, void*) {
-    auto* self = static_cast<RenderView*>(view);
-    self->moved_ = true;
-    emit self->cameraMoved();
+    static_cast<RenderView*>(view)->userMoved();
   });
   style->AddObserver(vtkCommand::InteractionEvent, observer);
   style->AddObserver(vtkCommand::EndInteractionEvent, observer);
+}
+
+void RenderView::userMoved() {
+  moved_ = true;
+  if (partner_) partner_->takeCamera(this);
 }
 
 void RenderView::look(Side side) {
@@ -92,36 +134,58 @@ void RenderView::look(Side side) {
 
 void RenderView::fit() {
   moved_ = false;
-  double b[6];
-  vtkPolyData::SafeDownCast(model_->pipeline().neutralCurves()->GetOutputDataObject(0))->GetBounds(b);
-  const double turn = degrees(side_) * M_PI / 180.0;
-  const double out[3] = {std::sin(turn), 0.0, std::cos(turn)};
-  const double breadth = (b[1] - b[0]) * std::abs(out[2]) + (b[5] - b[4]) * std::abs(out[0]);
-  const double roundness = side_ == Side::FortyFive ? 0.85 : 1.0;  // the head does not fill its box's corners
+  placeCamera();
+  if (partner_) partner_->takeCamera(this);
+  redraw();
+}
+
+double RenderView::fittingDistance() const {
+  const Outline outline = outlineFrom(side_, model_->pipeline().neutralCurves()->GetOutput());
   const double aspect = static_cast<double>(std::max(1, width())) / std::max(1, height());
-  const double extent = margin * std::max(b[3] - b[2], roundness * breadth / aspect);
-  const double nearness = 0.5 * ((b[5] - b[4]) * std::abs(out[2]) + (b[1] - b[0]) * std::abs(out[0]));
-  const double distance = 0.5 * extent / std::tan(viewAngle * M_PI / 360.0) + 0.4 * nearness;
-  vtkCamera* camera = renderer_->GetActiveCamera();
-  camera->SetViewAngle(viewAngle);
-  double focus[3];
-  for (int i = 0; i < 3; ++i) focus[i] = 0.5 * (b[2 * i] + b[2 * i + 1]);
-  camera->SetFocalPoint(focus);
-  camera->SetPosition(focus[0] + distance * out[0], focus[1], focus[2] + distance * out[2]);
-  camera->SetViewUp(0, 1, 0);
-  redraw();
-  emit cameraMoved();
+  const double extent = margin * std::max(outline.size(1), outline.size(0) / aspect);
+  return 0.5 * extent / std::tan(viewAngle * M_PI / 360.0);
 }
 
-void RenderView::share(vtkCamera* camera) {
-  renderer_->SetActiveCamera(camera);
+void RenderView::placeCamera() {
+  const Outline outline = outlineFrom(side_, model_->pipeline().neutralCurves()->GetOutput());
+  const Axes axes(side_);
+  const double distance = fittingDistance();
+  double focus[3], position[3];
+  for (int i = 0; i < 3; ++i) {
+    focus[i] = axes.right[i] * outline.middle(0) + axes.up[i] * outline.middle(1) + axes.out[i] * outline.middle(2);
+    position[i] = focus[i] + distance * axes.out[i];
+  }
+  camera()->SetViewAngle(viewAngle);
+  camera()->SetFocalPoint(focus);
+  camera()->SetPosition(position);
+  camera()->SetViewUp(axes.up);
+}
+
+/// The same direction and, for the size of this view, the same zoom.
+void RenderView::takeCamera(const RenderView* other) {
+  side_ = other->side_;
+  moved_ = other->moved_;
+  const double ratio = fittingDistance() / other->fittingDistance();
+  double focus[3], position[3];
+  other->camera()->GetFocalPoint(focus);
+  other->camera()->GetPosition(position);
+  for (int i = 0; i < 3; ++i) position[i] = focus[i] + ratio * (position[i] - focus[i]);
+  camera()->SetViewAngle(other->camera()->GetViewAngle());
+  camera()->SetFocalPoint(focus);
+  camera()->SetPosition(position);
+  camera()->SetViewUp(other->camera()->GetViewUp());
   redraw();
 }
 
-void RenderView::unshare() {
-  vtkNew<vtkCamera> own;
-  own->DeepCopy(renderer_->GetActiveCamera());
-  renderer_->SetActiveCamera(own);
+void RenderView::link(RenderView* other) {
+  partner_ = other;
+  other->partner_ = this;
+  takeCamera(other);
+}
+
+void RenderView::unlink() {
+  if (partner_) partner_->partner_ = nullptr;
+  partner_ = nullptr;
 }
 
 vtkCamera* RenderView::camera() const { return renderer_->GetActiveCamera(); }
@@ -147,7 +211,9 @@ void RenderView::useTheme() {
 
 void RenderView::resizeEvent(QResizeEvent* event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
-  if (!moved_) fit();
+  if (moved_) return;
+  placeCamera();  // not fit(): the other view has a size of its own
+  redraw();
 }
 
 bool RenderView::event(QEvent* event) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPointer>
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <vtkNew.h>
@@ -27,16 +28,14 @@ class RenderView : public QVTKOpenGLNativeWidget {
   void look(Side side);
   void fit();  ///< the side looked from last, the whole face in the view
 
-  void share(vtkCamera* camera);  ///< moves together with all views that share this camera
-  void unshare();                 ///< goes on from here alone
+  void link(RenderView* other);  ///< turns and zooms together with the other view, to the size of each
+  void unlink();
+  bool isLinked() const { return partner_; }
   vtkCamera* camera() const;
 
   vtkRenderer* renderer() const { return renderer_; }
   void redraw();  ///< with the next paint event
   virtual void useTheme();  ///< takes the colours of the current theme
-
- signals:
-  void cameraMoved();
 
  protected:
   void paintGL() override;
@@ -47,10 +46,15 @@ class RenderView : public QVTKOpenGLNativeWidget {
  private:
   void addLights();
   void observeMouse();
+  void userMoved();
+  void placeCamera();
+  double fittingDistance() const;  ///< from which the whole face fills this view
+  void takeCamera(const RenderView* other);
 
   FaceModel* model_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
+  QPointer<RenderView> partner_;
   Side side_ = Side::Front;
   bool moved_ = false, outdated_ = true;
 };

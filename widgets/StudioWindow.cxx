@@ -54,12 +54,6 @@ StudioWindow::StudioWindow()
   addViewMenu();
   addHelpMenu();
   linkCameras(true);
-  connect(face_, &RenderView::cameraMoved, this, [this] {
-    if (linked_) curves_->redraw();
-  });
-  connect(curves_, &RenderView::cameraMoved, this, [this] {
-    if (linked_) face_->redraw();
-  });
   connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
   connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
   resize(startWidth, startHeight);
@@ -88,6 +82,7 @@ QWidget* StudioWindow::views() {
   splitter->addWidget(curveFrame());
   splitter->setStretchFactor(0, 4);
   splitter->setStretchFactor(1, 3);
+  splitter->setSizes({4 * startWidth, 3 * startWidth});  // shares, not pixels
   return splitter;
 }
 
@@ -121,12 +116,12 @@ void StudioWindow::addSideButtons(ViewFrame* frame) {
   QToolButton* whole = frame->addButton("lookReset", tr("Reset"), tr("The whole face again (double click in a view)"));
   connect(whole, &QToolButton::clicked, this, [this] {
     face_->fit();
-    if (!linked_) curves_->fit();
+    if (!curves_->isLinked()) curves_->fit();
   });
 }
 
 QWidget* StudioWindow::curveFrame() {
-  auto* frame = new ViewFrame(tr("Boundary curves"), curves_, this);
+  auto* frame = new ViewFrame(tr("Curves"), curves_, this);
   connect(frame->addToggle("curvePoints", tr("Points"), tr("The points of the curves"), true), &QToolButton::toggled,
           curves_, &CurveView::setPointsVisible);
   connect(frame->addToggle("curveNeutral", tr("Neutral"), tr("The curves of the neutral face, thin and pale"), true),
@@ -139,13 +134,12 @@ QWidget* StudioWindow::curveFrame() {
 }
 
 void StudioWindow::linkCameras(bool linked) {
-  linked_ = linked;
-  linked ? curves_->share(face_->camera()) : curves_->unshare();
+  linked ? curves_->link(face_) : curves_->unlink();
 }
 
 void StudioWindow::look(RenderView::Side side) {
   face_->look(side);
-  if (!linked_) curves_->look(side);
+  if (!curves_->isLinked()) curves_->look(side);
 }
 
 QDockWidget* StudioWindow::addDock(const QString& name, const QString& title, QWidget* panel) {

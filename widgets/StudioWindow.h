@@ -55,7 +55,6 @@ class StudioWindow : public QMainWindow {
   FaceView* face_;
   CurveView* curves_;
   MessageBar* messages_;
-  bool linked_ = true;
 };
 
 }  // namespace mien

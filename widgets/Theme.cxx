@@ -100,10 +100,11 @@ QPushButton:hover { border-color: @accent; }
 QPushButton:focus { border-color: @accent; }
 QPushButton:checked { background: @accent; color: @accentText; border-color: @accent; }
 QPushButton:disabled { color: @line; }
-QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px 6px; background: transparent; }
+QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px 5px; background: transparent; }
 QToolButton:hover { border-color: @line; }
 QToolButton:focus { border-color: @accent; }
 QToolButton:checked { background: @accent; color: @accentText; }
+QToolButton:checked:disabled { background: @line; }
 QFrame#messageBar { background: @panel; border: 1px solid @line; border-radius: 6px; }
 QFrame#messageBar[severity="error"] { border-left: 4px solid @error; }
 QFrame#messageBar[severity="warning"] { border-left: 4px solid @warning; }

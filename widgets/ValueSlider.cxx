@@ -44,8 +44,8 @@ void ValueSlider::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(palette().color(QPalette::Mid));
   painter.drawRoundedRect(QRectF(1, middle - groove / 2, width() - 2, groove), groove / 2, groove / 2);
-  painter.drawRect(QRectF(zero - 0.75, middle - handle, 1.5, 2 * handle));
-  painter.setBrush(palette().color(QPalette::Highlight));
+  if (minimum() < 0) painter.drawRect(QRectF(zero - 0.75, middle - handle, 1.5, 2 * handle));
+  painter.setBrush(palette().color(isEnabled() ? QPalette::Highlight : QPalette::Mid));
   painter.drawRect(QRectF(qMin(zero, at), middle - groove / 2, std::abs(at - zero), groove));
   if (std::lround(shown_) != value()) {
     const double x = position(shown_), y = middle + 3;
@@ -53,7 +53,7 @@ void ValueSlider::paintEvent(QPaintEvent*) {
     painter.drawPolygon(QPolygonF({{x, y}, {x - 4, y + 6.5}, {x + 4, y + 6.5}}));
   }
   painter.setBrush(palette().color(QPalette::Base));
-  painter.setPen(QPen(palette().color(hasFocus() || isSliderDown() ? QPalette::Highlight : QPalette::PlaceholderText),
+  painter.setPen(QPen(palette().color(!isEnabled() ? QPalette::Mid : hasFocus() || isSliderDown() ? QPalette::Highlight : QPalette::PlaceholderText),
                       hasFocus() ? 2.2 : 1.4));
   painter.drawEllipse(QPointF(at, middle), handle - 1, handle - 1);
 }
