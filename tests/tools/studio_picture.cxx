@@ -1,6 +1,6 @@
 // Draws Mien Studio's window into a PNG file, for the documentation and for looking at it:
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
-// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, tab=4, fap=53:200, file=X.fap, frame=100.
+// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, tab=4, fap=53:200, a=2, file=X.fap, frame=100, measure.
 
 #include "FaceModel.h"
 #include "StudioWindow.h"
@@ -14,12 +14,35 @@
 #include <QTextStream>
 #include <QToolButton>
 
+#include <algorithm>
+#include <vector>
+
 namespace {
 
 void wait(int milliseconds) {
   QElapsedTimer clock;
   clock.start();
   while (clock.elapsed() < milliseconds) QApplication::processEvents(QEventLoop::AllEvents, 20);
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/// Drags a slider and says how long the pipeline, and the pipeline with both views, take for each step.
+void measure(mien::StudioWindow& window) {
+  std::vector<double> pipeline, whole;
+  for (int step = 1; step <= 200; ++step) {
+    QElapsedTimer clock;
+    clock.start();
+    window.model().change([&](mien::FaceState& state) { state.fapValues[33] = step; });
+    for (int i = 0; i < 3; ++i) QApplication::processEvents();
+    whole.push_back(clock.nsecsElapsed() * 1e-6);
+    pipeline.push_back(window.model().pipelineTime());
+  }
+  QTextStream(stdout) << "a step of a slider: pipeline " << median(pipeline) << " ms, with both views " << median(whole)
+                      << " ms (medians)\n";
 }
 
 void click(QWidget& window, const char* name) { window.findChild<QToolButton*>(name)->click(); }
@@ -40,6 +63,7 @@ void apply(mien::StudioWindow& window, const QString& setting) {
       state.fapValues[value.section(':', 0, 0).toInt()] = value.section(':', 1).toDouble();
     });
   if (key == "a") model.change([&](mien::FaceState& state) { state.surface.smoothing.fill(value.toDouble()); });
+  if (key == "measure") measure(window);
   if (key == "file") window.openAnimation(value);
   if (key == "frame") model.showFrame(value.toInt());
 }
@@ -61,6 +85,5 @@ int main(int argc, char** argv) {
   wait(500);
   for (const QString& setting : arguments.mid(3)) apply(window, setting);
   wait(500);
-  QTextStream(stdout) << "pipeline " << window.model().pipelineTime() << " ms\n";
   return window.grab().save(arguments[1]) ? 0 : 1;
 }

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "StudioWindow.h"
+
+#include <QImage>
+#include <QString>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+class vtkPolyData;
+
+/// A Studio window on the test's display; an unexpected VTK error or warning fails the test.
+class StudioFixture : public testing::Test {
+ protected:
+  StudioFixture();
+  ~StudioFixture() override;
+  void TearDown() override;
+
+  /// The widget of that object name; the test ends when there is none.
+  template <class Widget>
+  Widget* find(const QString& name) {
+    auto* widget = window->findChild<Widget*>(name);
+    if (!widget) throw std::runtime_error("there is no widget named " + name.toStdString());
+    return widget;
+  }
+
+  void settle();  ///< lets changes reach the pipeline and the screen
+  bool waitUntil(const std::function<bool()>& condition, int milliseconds = 5000);
+
+  /// Where a point of the curves is, in mm, to see whether it moves.
+  double largestDisplacement();
+  vtkPolyData* surface();
+
+  /// With the left button down, which QTest::mouseMove cannot do.
+  void dragTo(QWidget* widget, const QPoint& position);
+
+  int colorsIn(const QString& viewName);  ///< how many different colours a view shows; a blank one few
+  QString message();                      ///< what the message bar shows; empty when it is hidden
+
+  /// A .fap of frames that close the left lid further and further, by 20 units a frame.
+  QString writeLids(int frames, double framesPerSecond);
+
+  std::unique_ptr<mien::StudioWindow> window;
+};

@@ -1,0 +1,155 @@
+#include "AnimationPlayer.h"
+#include "FaceModel.h"
+#include "StudioFixture.h"
+#include "ValueSlider.h"
+
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLabel>
+#include <QMimeData>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QUrl>
+
+namespace {
+
+using TimelinePanel = StudioFixture;
+using mien::ValueSlider;
+
+TEST_F(TimelinePanel, WaitsForAFile) {
+  EXPECT_FALSE(find<QToolButton>("timelinePlay")->isEnabled());
+  EXPECT_TRUE(find<QToolButton>("timelineOpen")->isEnabled());
+  EXPECT_TRUE(find<QLabel>("timelineTitle")->text().contains(".fap"));
+}
+
+TEST_F(TimelinePanel, AnOpenedFileIsShownAtItsFirstFrame) {
+  ASSERT_TRUE(window->openAnimation(writeLids(11, 5)));
+  EXPECT_EQ(find<ValueSlider>("timelinePosition")->maximum(), 10);
+  EXPECT_EQ(find<QSpinBox>("timelineFrame")->value(), 1);
+  EXPECT_EQ(find<QLabel>("timelineTime")->text(), "0.00 s of 2.00 s, 5 frames/s, frame number 0");
+  EXPECT_EQ(largestDisplacement(), 0.0);
+  EXPECT_EQ(message(), "");
+}
+
+TEST_F(TimelinePanel, ScrubbingShowsTheFrameUnderTheMouse) {
+  ASSERT_TRUE(window->openAnimation(writeLids(11, 5)));
+  auto* slider = find<ValueSlider>("timelinePosition");
+  const int y = slider->height() / 2;
+  QTest::mousePress(slider, Qt::LeftButton, Qt::NoModifier, QPoint(slider->width() / 2, y));
+  EXPECT_EQ(window->model().frameIndex(), 5);
+  const double half = largestDisplacement();
+  dragTo(slider, QPoint(slider->width() - 1, y));
+  QTest::mouseRelease(slider, Qt::LeftButton, Qt::NoModifier, QPoint(slider->width() - 1, y));
+  EXPECT_EQ(window->model().frameIndex(), 10);
+  EXPECT_GT(half, 0.1);
+  EXPECT_GT(largestDisplacement(), 1.5 * half);
+  EXPECT_EQ(find<ValueSlider>("fapSlider19")->shownValue(), 200.0);
+  QTest::keyClick(slider, Qt::Key_Left);
+  EXPECT_EQ(find<QSpinBox>("timelineFrame")->value(), 10);
+}
+
+TEST_F(TimelinePanel, OwnFAPValuesAddToTheAnimation) {
+  ASSERT_TRUE(window->openAnimation(writeLids(11, 5)));
+  find<QSpinBox>("timelineFrame")->setValue(6);
+  const double alone = largestDisplacement();
+  find<QDoubleSpinBox>("fapValue19")->setValue(100.0);
+  EXPECT_NEAR(largestDisplacement(), 2.0 * alone, 0.05 * alone);
+}
+
+TEST_F(TimelinePanel, PlaysAtTheRateOfTheFileAndStopsAtTheEnd) {
+  ASSERT_TRUE(window->openAnimation(writeLids(11, 20)));
+  find<QToolButton>("timelineLoop")->setChecked(false);
+  QElapsedTimer clock;
+  clock.start();
+  QTest::mouseClick(find<QToolButton>("timelinePlay"), Qt::LeftButton);
+  EXPECT_TRUE(window->player().isPlaying());
+  ASSERT_TRUE(waitUntil([this] { return !window->player().isPlaying(); }, 20000));
+  EXPECT_GE(clock.elapsed(), 500) << "ten frames of 50 ms take no less";
+  EXPECT_EQ(window->model().frameIndex(), 10);
+}
+
+TEST_F(TimelinePanel, BeginsAgainWhenItLoops) {
+  ASSERT_TRUE(window->openAnimation(writeLids(5, 50)));
+  int wraps = 0, last = 0;
+  QObject::connect(&window->model(), &mien::FaceModel::stateChanged, [&] {
+    wraps += window->model().frameIndex() < last;
+    last = window->model().frameIndex();
+  });
+  window->player().play();
+  EXPECT_TRUE(waitUntil([&] { return wraps >= 2; }, 20000));
+  QTest::mouseClick(find<QToolButton>("timelinePlay"), Qt::LeftButton);
+  EXPECT_FALSE(window->player().isPlaying());
+}
+
+TEST_F(TimelinePanel, ClosingTheFileStopsAndShowsTheNeutralFace) {
+  ASSERT_TRUE(window->openAnimation(writeLids(100, 50)));
+  window->player().play();
+  ASSERT_TRUE(waitUntil([this] { return window->model().frameIndex() > 3; }));
+  QTest::mouseClick(find<QToolButton>("timelineClose"), Qt::LeftButton);
+  EXPECT_FALSE(window->player().isPlaying());
+  EXPECT_EQ(window->model().frameCount(), 0);
+  EXPECT_EQ(largestDisplacement(), 0.0);
+}
+
+TEST_F(TimelinePanel, TheWindowMayCloseWhilePlaying) {
+  ASSERT_TRUE(window->openAnimation(writeLids(100, 50)));
+  window->player().play();
+  ASSERT_TRUE(waitUntil([this] { return window->model().frameIndex() > 3; }));
+  window->close();
+  EXPECT_FALSE(window->player().isPlaying());
+  window = std::make_unique<mien::StudioWindow>();
+  window->show();
+  ASSERT_TRUE(window->openAnimation(writeLids(100, 50)));
+  window->player().play();
+  QTest::qWait(50);
+  window.reset();  // without close()
+  QTest::qWait(50);
+}
+
+TEST_F(TimelinePanel, ABadFileSaysWhyAndChangesNothing) {
+  const QString good = writeLids(11, 5);
+  ASSERT_TRUE(window->openAnimation(good));
+  find<QSpinBox>("timelineFrame")->setValue(6);
+  const double before = largestDisplacement();
+  const QString bad = QDir(MIEN_TEST_DIR).filePath("data/malformed/fap/line3_one_value_short.fap");
+  ASSERT_TRUE(QFile::exists(bad));
+  EXPECT_FALSE(window->openAnimation(bad));
+  EXPECT_TRUE(message().startsWith(bad + ":3: ")) << message().toStdString();
+  EXPECT_EQ(window->model().state().fapFile, good.toStdString());
+  EXPECT_EQ(window->model().frameCount(), 11);
+  EXPECT_EQ(find<QSpinBox>("timelineFrame")->value(), 6);
+  EXPECT_EQ(largestDisplacement(), before);
+  QTest::mouseClick(find<QToolButton>("messageClose"), Qt::LeftButton);
+  EXPECT_EQ(message(), "");
+}
+
+TEST_F(TimelinePanel, ADroppedFilePlays) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(writeLids(100, 25))});
+  QDragEnterEvent enter(QPoint(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(300, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window.get(), &drop);
+  EXPECT_EQ(window->model().frameCount(), 100);
+  EXPECT_TRUE(window->player().isPlaying());
+}
+
+TEST_F(TimelinePanel, RealFilesOpenAndMoveTheFace) {
+  for (const char* name : {"7_basic_emotion.fap", "basic_emotion.fap"}) {
+    const QString file = QString(MIEN_REFERENCE_DIR) + "/faps/" + name;
+    if (!QFile::exists(file)) GTEST_SKIP() << file.toStdString() << " is not there";
+    ASSERT_TRUE(window->openAnimation(file)) << message().toStdString();
+    double most = 0.0;
+    for (int frame = 0; frame < window->model().frameCount(); ++frame) {
+      window->model().showFrame(frame);
+      most = std::max(most, largestDisplacement());
+    }
+    EXPECT_GT(most, 1.0) << name;
+  }
+}
+
+}  // namespace
