@@ -25,7 +25,6 @@ namespace {
 
 constexpr double viewAngle = 14.0;  // degrees: a portrait lens, nearly parallel
 constexpr double margin = 1.15;     // of the face's extent; its near parts look larger
-constexpr int samples = 0;          // per pixel, for smooth edges
 
 double degrees(RenderView::Side side) {
   return side == RenderView::Side::Front ? 0.0 : side == RenderView::Side::FortyFive ? 45.0 : 90.0;
