@@ -1,6 +1,6 @@
 // Draws Mien Studio's window into a PNG file, for the documentation and for looking at it:
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
-// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, tab=4, fap=53:200, a=2, file=X.fap, frame=100, measure.
+// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, tab=4, fap=53:200, a=2, file=X.fap, frame=100, scale=0.75, measure.
 
 #include "FaceModel.h"
 #include "StudioWindow.h"
@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QImage>
 #include <QSurfaceFormat>
 #include <QTabWidget>
 #include <QTextStream>
@@ -43,6 +44,16 @@ void measure(mien::StudioWindow& window) {
   }
   QTextStream(stdout) << "a step of a slider: pipeline " << median(pipeline) << " ms, with both views " << median(whole)
                       << " ms (medians)\n";
+}
+
+/// Six bits a channel, which nobody sees and which make the file a third smaller.
+QImage coarse(QImage picture) {
+  for (int y = 0; y < picture.height(); ++y)
+    for (int i = 0; i < 3 * picture.width(); ++i) {
+      uchar& channel = picture.scanLine(y)[i];
+      channel = static_cast<uchar>(channel & 0xfc) | (channel >> 6);
+    }
+  return picture;
 }
 
 void click(QWidget& window, const char* name) { window.findChild<QToolButton*>(name)->click(); }
@@ -83,7 +94,15 @@ int main(int argc, char** argv) {
   window.resize(arguments[2].section('x', 0, 0).toInt(), arguments[2].section('x', 1).toInt());
   window.show();
   wait(500);
-  for (const QString& setting : arguments.mid(3)) apply(window, setting);
+  double share = 1.0;
+  for (const QString& setting : arguments.mid(3)) {
+    apply(window, setting);
+    if (setting.startsWith("scale=")) share = setting.section('=', 1).toDouble();
+  }
   wait(500);
-  return window.grab().save(arguments[1]) ? 0 : 1;
+  const QImage picture = window.grab().toImage().convertToFormat(QImage::Format_RGB888);
+  const int width = static_cast<int>(share * picture.width());
+  constexpr int smallestFile = 0;  // as PNG files have no quality to lose
+  const QImage scaled = coarse(picture.scaledToWidth(width, Qt::SmoothTransformation));
+  return scaled.save(arguments[1], "PNG", smallestFile) ? 0 : 1;
 }
