@@ -77,7 +77,8 @@ void FaceModel::reportAnimation() {
     remarks << tr("The face has no surface for FAP %1 (eyeballs, tongue or ears); they are left out.").arg(numbers(missing));
   if (remarks.isEmpty()) return;
   const QString name = QFileInfo(QString::fromStdString(state_.fapFile)).fileName();
-  emit remarked(tr("%1 was opened, with %n remark(s).", nullptr, remarks.size()).arg(name), remarks.join('\n'));
+  const QString sentence = remarks.size() == 1 ? tr("%1 was opened, with one remark.") : tr("%1 was opened, with %2 remarks.");
+  emit remarked(remarks.size() == 1 ? sentence.arg(name) : sentence.arg(name).arg(remarks.size()), remarks.join('\n'));
 }
 
 bool FaceModel::openAnimation(const QString& fileName) {

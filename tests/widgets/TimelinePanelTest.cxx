@@ -10,6 +10,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMimeData>
+#include <QPlainTextEdit>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QUrl>
@@ -124,6 +125,24 @@ TEST_F(TimelinePanel, ABadFileSaysWhyAndChangesNothing) {
   EXPECT_EQ(largestDisplacement(), before);
   QTest::mouseClick(find<QToolButton>("messageClose"), Qt::LeftButton);
   EXPECT_EQ(message(), "");
+}
+
+TEST_F(TimelinePanel, AFileThatIsAcceptedWithWarningsSaysSoQuietly) {
+  const QString name = writeLids(11, 5);
+  QFile file(name);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  QByteArray text = file.readAll();
+  file.close();
+  text.replace("2.1 lids 5 11", "2.1 lids 5 12");
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(text);
+  file.close();
+  ASSERT_TRUE(window->openAnimation(name));
+  EXPECT_TRUE(message().endsWith(" was opened, with one remark.")) << message().toStdString();
+  QTest::mouseClick(find<QToolButton>("messageMore"), Qt::LeftButton);
+  auto* details = find<QPlainTextEdit>("messageDetails");
+  EXPECT_TRUE(details->isVisible());
+  EXPECT_TRUE(details->toPlainText().startsWith(name + ":1: ")) << details->toPlainText().toStdString();
 }
 
 TEST_F(TimelinePanel, ADroppedFilePlays) {
