@@ -1,4 +1,5 @@
 #include "Command.h"
+#include "ConsoleMessages.h"
 #include "Failure.h"
 
 #include <CLI/CLI.hpp>
@@ -68,5 +69,8 @@ int main(int argc, char** argv) {
   addCommands(program);
   const std::string unknown = unknownCommand(program, argc, argv);
   if (!unknown.empty()) return complain(unknown, wrongOption);
-  return run(program, argc, argv);
+  mien::keepConsoleMessages();
+  const int exitCode = run(program, argc, argv);
+  if (exitCode == 0) std::cerr << mien::consoleMessages();
+  return exitCode;
 }

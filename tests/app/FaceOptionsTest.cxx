@@ -1,0 +1,76 @@
+#include "FaceFiles.h"
+#include "Program.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace {
+
+/// Runs `surface` with these options; whatever goes wrong must leave nothing behind.
+void expectRefused(const std::vector<std::string>& options, int exitCode, const std::string& part) {
+  const TemporaryFolder folder;
+  std::vector<std::string> arguments = {"surface", "-o", folder.file("x.vtp")};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = runMien(arguments);
+  EXPECT_EQ(outcome.exitCode, exitCode) << part << ": " << outcome.errors;
+  EXPECT_EQ(outcome.errors.rfind("mien: ", 0), 0u) << outcome.errors;
+  EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+  EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+  EXPECT_EQ(entriesIn(folder.file("")), 0) << part;
+}
+
+TEST(FaceOptions, WrongValuesEndWithTwoAndSayWhatIsAllowed) {
+  expectRefused({"--scheme", "soap"}, 2, "four-curve, derivative");
+  expectRefused({"-a", "0"}, 2, "0 < a <= 1000");
+  expectRefused({"-a", "-1"}, 2, "0 < a <= 1000");
+  expectRefused({"-a", "nan"}, 2, "no number");
+  expectRefused({"-a", "1,2,3"}, 2, "one for each of the 9");
+  expectRefused({"-N", "21"}, 2, "0 .. 20");
+  expectRefused({"-N", "5.5"}, 2, "no whole number");
+  expectRefused({"--scheme", "four-curve", "-a", "50"}, 2, "250");
+  expectRefused({"--resolution", "10x40"}, 2, "at least 11x3");
+  expectRefused({"--resolution", "40"}, 2, "such as 56x40");
+  expectRefused({"--resolution", "2000000000x2000000000"}, 2, "too fine");
+  expectRefused({"--precision", "half"}, 2, "single or double");
+  expectRefused({"--derivative-strength", "inf"}, 2, "no number");
+  expectRefused({"--expression", "smug"}, 2, "joy, sadness");
+  expectRefused({"--expression", "joy:2"}, 2, "0 .. 1");
+  expectRefused({"--set", "53"}, 2, "53=200");
+  expectRefused({"--set", "99=1"}, 2, "3 .. 68");
+  expectRefused({"--set", "53=1,53=2"}, 2, "twice");
+  expectRefused({"--frame", "3"}, 2, "--fap");
+}
+
+TEST(FaceOptions, WrongFilesEndWithOneAndAreNamed) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("face.vtp");
+  expectRefused({"--face", "no_such.vtp"}, 1, "no_such.vtp: ");
+  writeTextFile(file, "hello");
+  expectRefused({"--face", file}, 1, "face.vtp: ");
+  writeChangedFace([](auto& face) { face.curves.curve(7)(3, 1) = std::numeric_limits<double>::quiet_NaN(); }, file);
+  expectRefused({"--face", file}, 1, "face.vtp: ");
+  writeChangedFace([](auto& face) { face.curves.curve(7).col(1).array() += 30.0; }, file);
+  expectRefused({"--face", file}, 1, "C8");
+}
+
+TEST(FaceOptions, FramesThatAreNotThereAreRefused) {
+  const TemporaryFolder folder;
+  const std::string demo = std::string(MIEN_DATA_DIR) + "/animation/demo.fap";
+  expectRefused({"--fap", demo, "--frame", "99999"}, 2, "numbers run from 0 to 300");
+  expectRefused({"--fap", demo, "--index", "301"}, 2, "from 0 to 300");
+  expectRefused({"--fap", demo, "--index", "-1"}, 2, "index");
+  expectRefused({"--fap", demo, "--time", "-1"}, 2, "before the first");
+  expectRefused({"--fap", demo, "--frame", "1", "--index", "1"}, 2, "--index");
+  expectRefused({"--fap", folder.file("no.fap")}, 1, "no.fap");
+}
+
+TEST(FaceOptions, AFaceWithoutFeaturePointsIsShownButNotAnimated) {
+  const TemporaryFolder folder;
+  const std::string face = folder.file("bare.vtp"), output = folder.file("x.vtp");
+  writeChangedFace([](auto& changed) { changed.features.clear(); }, face);
+  EXPECT_EQ(runMien({"surface", "--face", face, "-o", output}).exitCode, 0);
+  EXPECT_EQ(runMien({"surface", "--face", face, "--expression", "joy", "-o", output}).exitCode, 1);
+}
+
+}  // namespace

@@ -1,0 +1,97 @@
+#include "FAPUnits.h"
+#include "FaceFiles.h"
+#include "Program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using nlohmann::json;
+
+json infoOf(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "info");
+  arguments.push_back("--json");
+  const Outcome outcome = runMien(arguments);
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  return json::parse(outcome.output, nullptr, false);
+}
+
+const char* const smallFAP =
+    "# eyes and mouth\n2.1 small 10 3\n"
+    "0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+    "7 10 0 0 0\n"
+    "0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+    "8 20 512 512 5\n";
+
+TEST(InfoCommand, TellsTheGenericFace) {
+  const json face = infoOf({})["face"];
+  EXPECT_EQ(face["curves"], 29);
+  EXPECT_EQ(face["patches"], 9);
+  EXPECT_EQ(face["points_per_curve"], 40);
+  EXPECT_EQ(face["bytes"], 29 * 40 * 3 * 4);
+  EXPECT_EQ(face["units"], "mm");
+  EXPECT_TRUE(face["curves_missed"].empty());
+  mien::FAPUnits units;
+  ASSERT_EQ(mien::measureFAPUnits(genericFace(), units), "");
+  EXPECT_EQ(face["fapu"]["ES"], units.eyeSeparation);
+  EXPECT_EQ(face["fapu"]["ENS"], units.eyeNoseSeparation);
+  EXPECT_EQ(face["fapu"]["MNS"], units.mouthNoseSeparation);
+  EXPECT_EQ(face["fapu"]["MW"], units.mouthWidth);
+  EXPECT_EQ(face["fapu"]["IRISD"], units.irisDiameter);
+}
+
+TEST(InfoCommand, TellsTheCurvesThatTheResolutionMisses) {
+  EXPECT_TRUE(infoOf({"--resolution", "83x40"})["face"]["curves_missed"].empty());
+  EXPECT_EQ(infoOf({"--resolution", "11x40"})["face"]["curves_missed"].size(), 18u);
+}
+
+TEST(InfoCommand, TellsAFaceFile) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("face.vtp");
+  writeFaceFile(genericFace(), file);
+  EXPECT_EQ(infoOf({file})["face"]["name"], file);
+  EXPECT_EQ(infoOf({"--face", file})["face"]["points_per_curve"], 40);
+}
+
+TEST(InfoCommand, AFaceWithoutFeaturePointsHasNoUnits) {
+  const TemporaryFolder folder;
+  writeChangedFace([](mien::FaceCurves& face) { face.features.clear(); }, folder.file("bare.vtp"));
+  const Outcome outcome = runMien({"info", folder.file("bare.vtp"), "--json"});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_TRUE(json::parse(outcome.output)["face"]["fapu"].is_null());
+  EXPECT_NE(outcome.errors.find("bare.vtp: "), std::string::npos) << outcome.errors;
+}
+
+TEST(InfoCommand, TellsAnAnimation) {
+  const TemporaryFolder folder;
+  writeTextFile(folder.file("small.fap"), smallFAP);
+  const json fap = infoOf({folder.file("small.fap")})["fap"];
+  EXPECT_EQ(fap["version"], "2.1");
+  EXPECT_EQ(fap["name"], "small");
+  EXPECT_EQ(fap["fps"], 10.0);
+  EXPECT_EQ(fap["frames"], 2);
+  EXPECT_EQ(fap["faps_used"], json({3, 19, 20, 23}));
+  EXPECT_EQ(fap["faps_without_surface"], json({23}));
+  EXPECT_EQ(fap["duration"], 0.1);
+  ASSERT_EQ(fap["warnings"].size(), 1u);  // the header speaks of three frames
+  EXPECT_NE(fap["warnings"][0].get<std::string>().find("small.fap:2: "), std::string::npos) << fap["warnings"];
+}
+
+TEST(InfoCommand, TextSaysTheSame) {
+  const Outcome outcome = runMien({"info"});
+  EXPECT_EQ(outcome.exitCode, 0);
+  for (const char* part : {"29", "40 points", "13920 bytes", "IRISD"})
+    EXPECT_NE(outcome.output.find(part), std::string::npos) << outcome.output;
+}
+
+TEST(InfoCommand, MalformedAnimationIsRefusedWithFileAndLine) {
+  const TemporaryFolder folder;
+  writeTextFile(folder.file("bad.fap"), "2.1 bad 25 1\n0 1 2\n0 5\n");
+  const Outcome outcome = runMien({"info", folder.file("bad.fap")});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.errors.rfind("mien: " + folder.file("bad.fap") + ":2: ", 0), 0u) << outcome.errors;
+  EXPECT_EQ(outcome.output, "");
+}
+
+}  // namespace

@@ -1,0 +1,38 @@
+#include "Program.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+const std::vector<std::string> commands = {"info", "surface", "curves", "patch", "render", "animate", "acquire"};
+
+TEST(Program, EveryCommandExplainsItselfWithAnExample) {
+  const Outcome overview = runMien({"--help"});
+  EXPECT_EQ(overview.exitCode, 0);
+  for (const std::string& command : commands) {
+    EXPECT_NE(overview.output.find("\n  " + command + " "), std::string::npos) << command;
+    const Outcome help = runMien({command, "--help"});
+    EXPECT_EQ(help.exitCode, 0) << command;
+    EXPECT_NE(help.output.find("Example: mien " + command), std::string::npos) << command;
+    EXPECT_EQ(help.errors, "") << command;
+  }
+}
+
+TEST(Program, WrongUseEndsWithTwoAndSaysWhatThereIs) {
+  EXPECT_EQ(runMien({}).exitCode, 2);
+  const Outcome unknown = runMien({"sculpt"});
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_EQ(unknown.errors.rfind("mien: there is no command 'sculpt'; the commands are info, ", 0), 0u) << unknown.errors;
+  const Outcome option = runMien({"info", "--hat"});
+  EXPECT_EQ(option.exitCode, 2);
+  EXPECT_NE(option.errors.find("--hat"), std::string::npos) << option.errors;
+  EXPECT_NE(option.errors.find("mien info --help"), std::string::npos) << option.errors;
+}
+
+TEST(Program, TellsItsVersion) {
+  const Outcome version = runMien({"--version"});
+  EXPECT_EQ(version.exitCode, 0);
+  EXPECT_EQ(version.output.rfind("mien ", 0), 0u);
+}
+
+}  // namespace

@@ -1,0 +1,100 @@
+#include "FaceStateText.h"
+#include "PictureFile.h"
+#include "Program.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+vtkSmartPointer<vtkImageData> render(const TemporaryFolder& folder, std::vector<std::string> options) {
+  const std::string file = folder.file("face.png");
+  options.insert(options.begin(), {"render", "-o", file});
+  const Outcome outcome = runMien(options);
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  return readPicture(file);
+}
+
+TEST(RenderCommand, DrawsAFaceOfTheSizeAskedForWithoutADisplay) {
+  const TemporaryFolder folder;
+  const auto picture = render(folder, {"--size", "201x150"});
+  EXPECT_EQ(picture->GetDimensions()[0], 201);
+  EXPECT_EQ(picture->GetDimensions()[1], 150);
+  EXPECT_EQ(picture->GetNumberOfScalarComponents(), 3);
+  EXPECT_GT(shareUnlikeCorner(picture), 0.3);
+  EXPECT_LT(shareUnlikeCorner(picture), 0.9);
+}
+
+TEST(RenderCommand, TheFaceKeepsClearOfTheBorderFromEverySide) {
+  const TemporaryFolder folder;
+  for (const char* view : {"front", "side", "left", "right", "back", "top", "45", "45-right", "-30:20"}) {
+    const auto picture = render(folder, {"--size", "120x100", "--resolution", "56x40", "--view", view});
+    const int* size = picture->GetDimensions();
+    for (int x = 0; x < size[0]; ++x)
+      for (int y = 0; y < size[1]; ++y) {
+        const bool border = x == 0 || y == 0 || x == size[0] - 1 || y == size[1] - 1;
+        ASSERT_TRUE(!border || *static_cast<unsigned char*>(picture->GetScalarPointer(x, y, 0)) == 255) << view;
+      }
+    EXPECT_GT(shareUnlikeCorner(picture), 0.2) << view;
+  }
+}
+
+TEST(RenderCommand, TransparentPicturesHaveNoBackground) {
+  const TemporaryFolder folder;
+  const auto picture = render(folder, {"--size", "100x100", "--transparent"});
+  ASSERT_EQ(picture->GetNumberOfScalarComponents(), 4);
+  EXPECT_EQ(picture->GetScalarComponentAsDouble(0, 0, 0, 3), 0.0);
+  EXPECT_EQ(picture->GetScalarComponentAsDouble(50, 50, 0, 3), 255.0);
+}
+
+TEST(RenderCommand, BackgroundHasTheColourAskedFor) {
+  const TemporaryFolder folder;
+  const auto picture = render(folder, {"--size", "60x60", "--background", "#204060"});
+  EXPECT_EQ(picture->GetScalarComponentAsDouble(0, 0, 0, 0), 32.0);
+  EXPECT_EQ(picture->GetScalarComponentAsDouble(0, 0, 0, 1), 64.0);
+  EXPECT_EQ(picture->GetScalarComponentAsDouble(0, 0, 0, 2), 96.0);
+}
+
+TEST(RenderCommand, StylesAndColoursShow) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> size = {"--size", "160x160"};
+  const auto with = [&](std::vector<std::string> options) {
+    options.insert(options.end(), size.begin(), size.end());
+    return shareUnlikeCorner(render(folder, options));
+  };
+  EXPECT_LT(with({"--style", "wireframe", "--resolution", "11x8"}), 0.9 * with({"--style", "both", "--resolution", "11x8"}));
+  EXPECT_GT(with({"--color-by", "PatchId"}), 0.2);
+  EXPECT_GT(with({"--color-by", "TextureCoordinates", "--curves"}), 0.2);
+}
+
+TEST(RenderCommand, ThePictureCarriesItsState) {
+  const TemporaryFolder folder;
+  render(folder, {"--size", "40x40", "--scheme", "tangent", "--resolution", "29x20"});
+  const std::string bytes = readTextFile(folder.file("face.png"));
+  const size_t begin = bytes.find("{", bytes.find("MienFaceState"));
+  ASSERT_NE(begin, std::string::npos);
+  const std::string text = bytes.substr(begin, bytes.find("\n}", begin) + 2 - begin);
+  mien::FaceState state;
+  ASSERT_EQ(mien::readFaceState(text, state), "") << text;
+  EXPECT_EQ(state.surface.scheme, "tangent");
+  EXPECT_EQ(state.rows, 29);
+}
+
+TEST(RenderCommand, WrongValuesAreRefused) {
+  const TemporaryFolder folder;
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"--view", "inside"}, "front, side"},   {{"--size", "0x5"}, "56x40"},        {{"--size", "9000x5"}, "8192"},
+      {{"--style", "oil"}, "wireframe"},       {{"--background", "blurple"}, "#"}, {{"--color-by", "Mood"}, "PatchId"},
+  };
+  for (const auto& [options, part] : cases) {
+    std::vector<std::string> arguments = {"render", "-o", folder.file("x.png")};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = runMien(arguments);
+    EXPECT_EQ(outcome.exitCode, 2) << outcome.errors;
+    EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+  }
+  EXPECT_EQ(runMien({"render", "-o", folder.file("x.bmp")}).exitCode, 2);
+  EXPECT_EQ(entriesIn(folder.file("")), 0);
+}
+
+}  // namespace
