@@ -38,7 +38,7 @@ constexpr int samplesOfFrames = 2;  // along each side of a pixel; a film has ma
 
 struct Options {
   FaceOptions face;
-  RenderOptions picture{"800x800"};
+  RenderOptions picture{"640x800"};
   std::string file, output, sheet, fps, range;
 };
 
