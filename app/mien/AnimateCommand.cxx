@@ -83,7 +83,7 @@ class Animation {
     const FAPSequence& sequence = pipeline_.frames()->GetSequence();
     frames_ = chooseFrames(sequence, options.range, rate);
     sink_ = makeSink(options.output, rate > 0.0 ? rate : sequence.framesPerSecond);
-    if (!options.sheet.empty()) sheet_.emplace(static_cast<int>(frames_.size()));
+    if (!options.sheet.empty()) prepareSheet();
     if (sheet_ || (sink_ && sink_->needsPictures())) prepareScene();
   }
 
@@ -108,6 +108,11 @@ class Animation {
     state.frame = frame.value;
     state.interpolateFrames = frame.choice == FaceState::FrameChoice::Time;
     pipeline_.setState(state);
+  }
+
+  void prepareSheet() {
+    const OutputFile writable(options_.sheet);  // better known now than after the last frame
+    sheet_.emplace(static_cast<int>(frames_.size()));
   }
 
   /// The camera stands still and has all in view that the animation will show.

@@ -164,7 +164,8 @@ void FaceScene::addColors() {
   surfaceMapper_->InterpolateScalarsBeforeMappingOn();
   surface_->SetBackfaceProperty(nullptr);
   surface_->GetProperty()->SetSpecular(0.0);
-  surface_->GetProperty()->SetAmbient(0.25);
+  surface_->GetProperty()->SetAmbient(0.40);  // light enough to show the shape, not so much that colours leave the bar
+  surface_->GetProperty()->SetDiffuse(0.52);
   bar_->SetLookupTable(table);
   bar_->SetTitle(style_.colorBy.c_str());
   bar_->SetDrawAnnotations(isPatch);

@@ -112,6 +112,7 @@ TEST(AnimateCommand, WrongValuesAndFilesAreRefused) {
       {{demo, "-o", frames, "--range", "3"}, 2},
       {{demo, "-o", frames, "--fps", "0"}, 2},
       {{demo, "-o", folder.file("no/film.ogv")}, 1},
+      {{demo, "--contact-sheet", folder.file("no/sheet.png")}, 1},
       {{demo, "-o", folder.file("bad.fap") + "/x"}, 1},
       {{folder.file("bad.fap"), "-o", frames}, 1},
       {{folder.file("none.fap"), "-o", frames}, 1},
