@@ -1,0 +1,112 @@
+#include "MeasuredFace.h"
+
+#include "Arguments.h"
+#include "CsvText.h"
+#include "FacePipeline.h"
+#include "FaceScheme.h"
+#include "Failure.h"
+#include "Remarks.h"
+
+#include "vtkPDEFaceAlgorithm.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+
+namespace mien {
+
+namespace {
+
+std::string allSchemeNames() {
+  std::string names;
+  for (const FaceScheme& scheme : faceSchemes()) names += (names.empty() ? "" : ", ") + scheme.name;
+  return names;
+}
+
+bool isUniform(const FaceSurfaceOptions& options) {
+  const double first = options.smoothing.front();
+  return std::all_of(options.smoothing.begin(), options.smoothing.end(), [first](double a) { return a == first; });
+}
+
+}  // namespace
+
+MeasuredFace::MeasuredFace() : pipeline_(std::make_unique<FacePipeline>()) {}
+
+MeasuredFace::~MeasuredFace() = default;
+
+void MeasuredFace::addTo(CLI::App& command) {
+  options_.addAll(command);
+  command.remove_option(command.get_option("--scheme"));
+  const std::string help = "How patches are closed: " + allSchemeNames() + ", a list of these with commas, or all [" +
+                           FaceState().surface.scheme + "]";
+  command.add_option("--scheme", scheme_, help)->group("Face");
+}
+
+void MeasuredFace::addWithoutSmoothing(CLI::App& command) {
+  addTo(command);
+  command.remove_option(command.get_option("--smoothing"));
+}
+
+void MeasuredFace::chooseSchemes() {
+  schemes_.clear();
+  if (scheme_ == "all") {
+    for (const FaceScheme& scheme : faceSchemes()) schemes_.push_back(scheme.name);
+    return;
+  }
+  schemes_ = splitText(scheme_.empty() ? FaceState().surface.scheme : scheme_, ',');
+  for (const std::string& name : schemes_)
+    if (!findFaceScheme(name))
+      throw ValueFailure("--scheme '" + name + "' is unknown; the known ones are " + allSchemeNames() + ", and all");
+}
+
+void MeasuredFace::update() {
+  chooseSchemes();
+  options_.apply(*pipeline_);
+  const std::string fault = pipeline_->updateCurves();
+  if (!fault.empty()) throw FileFailure(fault);
+  printRemarks(*pipeline_);
+}
+
+const FaceState& MeasuredFace::state() const { return pipeline_->state(); }
+
+void MeasuredFace::connect(vtkPDEFaceAlgorithm* filter, const std::string& scheme) const {
+  const FaceSurfaceOptions& surface = state().surface;
+  filter->SetInputConnection(pipeline_->curves()->GetOutputPort());
+  filter->SetScheme(scheme);
+  for (size_t patch = 0; patch < surface.smoothing.size(); ++patch)
+    filter->SetSmoothing(static_cast<int>(patch), surface.smoothing[patch]);
+  filter->SetNumberOfModes(surface.modes);
+  filter->SetRemainder(surface.remainder);
+  filter->SetDerivativeStrength(surface.derivativeStrength);
+}
+
+nlohmann::ordered_json MeasuredFace::description(const std::string& scheme) const {
+  const FaceSurfaceOptions& surface = state().surface;
+  nlohmann::ordered_json about;
+  about["scheme"] = scheme;
+  if (isUniform(surface))
+    about["a"] = surface.smoothing.front();
+  else
+    about["a"] = surface.smoothing;
+  about["harmonics"] = surface.modes;
+  about["remainder"] = surface.remainder;
+  return about;
+}
+
+std::string MeasuredFace::note(bool withSmoothing) const {
+  const FaceSurfaceOptions& surface = state().surface;
+  std::string text = state().curvesFile.empty() ? "Generic face" : state().curvesFile;
+  text += schemes_.size() == 1 ? ", scheme " : ", schemes ";
+  for (size_t i = 0; i < schemes_.size(); ++i) text += (i ? ", " : "") + schemes_[i];
+  if (withSmoothing) {
+    text += "; a = ";
+    for (size_t patch = 0; patch < (isUniform(surface) ? 1 : surface.smoothing.size()); ++patch)
+      text += (patch ? ", " : "") + shortestText(surface.smoothing[patch]);
+  }
+  text += "; N = " + std::to_string(surface.modes) + (surface.remainder ? " with remainder" : " without remainder");
+  if (!state().fapFile.empty()) text += "; " + state().fapFile;
+  if (!state().expression.empty()) text += "; " + state().expression + " at " + shortestText(state().expressionIntensity);
+  return text + "; Mien " MIEN_VERSION;
+}
+
+}  // namespace mien

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "Figure.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace mien {
+
+/// What a measuring command has found.
+struct Report {
+  nlohmann::ordered_json json;            ///< all of it, for --json
+  nlohmann::ordered_json rows;            ///< the table, array of objects
+  std::vector<std::string> remarks;       ///< sentences below the table
+  std::function<Figure()> figure;         ///< drawn only when it is asked for
+};
+
+/// The options of commands that measure: where the table and the chart go, and how the chart looks.
+class ReportOptions {
+ public:
+  /// @param otherEndings  files the command writes itself, without the dot
+  explicit ReportOptions(std::vector<std::string> otherEndings = {}) : otherEndings_(std::move(otherEndings)) {}
+
+  void addTo(CLI::App& command);
+
+  /// Before anything is computed: throws a ValueFailure for a wrong option or ending.
+  void check() const;
+
+  /// Of the files to write, those with that ending.
+  std::vector<std::string> outputs(const std::string& ending) const;
+
+  /// Writes the files, and the table or JSON on stdout. `command` is kept in the charts.
+  void deliver(const Report& report, const std::string& command) const;
+
+ private:
+  double width() const;
+  double dotsPerInch() const;
+  void writeFigure(const Figure& figure, const std::string& name, const std::string& command) const;
+
+  std::vector<std::string> otherEndings_, outputs_;
+  std::string width_ = "170", theme_ = "light", dotsPerInch_ = "300";
+  bool json_ = false;
+};
+
+}  // namespace mien

@@ -1,0 +1,56 @@
+#include "ContinuityFigure.h"
+
+#include "AxisScale.h"
+
+#include <algorithm>
+
+namespace mien {
+
+namespace {
+
+constexpr double quarterTurn = 90.0;
+
+std::vector<std::string> seamsOf(const std::vector<SeamProfile>& profiles) {
+  std::vector<std::string> seams;
+  for (const SeamProfile& profile : profiles)
+    if (std::find(seams.begin(), seams.end(), profile.seam) == seams.end()) seams.push_back(profile.seam);
+  return seams;
+}
+
+/// One scale for all panels, or they could not be compared.
+ChartAxis commonAxis(const std::vector<SeamProfile>& profiles, const ChartAxis& measure) {
+  std::vector<double> values;
+  for (const SeamProfile& profile : profiles) values.insert(values.end(), profile.value.begin(), profile.value.end());
+  const AxisScale scale = AxisScale::around(measure, values, true);
+  ChartAxis axis = measure;
+  axis.scale = scale.logarithmic() ? ChartAxis::Scale::Logarithmic : ChartAxis::Scale::Linear;
+  axis.begin = scale.begin();
+  axis.end = scale.end();
+  return axis;
+}
+
+Chart seamChart(const std::string& seam, const std::vector<SeamProfile>& profiles, const ChartAxis& y) {
+  Chart chart;
+  chart.x = ChartAxis{"v", "degrees"};
+  chart.x.begin = 0.0;
+  chart.x.end = 4.0 * quarterTurn;
+  chart.x.step = quarterTurn;
+  chart.y = y;
+  chart.y.title = seam + ", " + y.title;
+  for (const SeamProfile& profile : profiles)
+    if (profile.seam == seam) chart.series.push_back({profile.scheme, profile.v, profile.value});
+  return chart;
+}
+
+}  // namespace
+
+Figure continuityFigure(const std::vector<SeamProfile>& profiles, const ChartAxis& measure) {
+  Figure figure;
+  const ChartAxis axis = commonAxis(profiles, measure);
+  for (const std::string& seam : seamsOf(profiles)) figure.panels.push_back(seamChart(seam, profiles, axis));
+  figure.title = "Continuity across the seams";
+  figure.caption = "Measured from both sides of each seam along v; the back of the head is at 0, the nose bridge at 180 degrees.";
+  return figure;
+}
+
+}  // namespace mien

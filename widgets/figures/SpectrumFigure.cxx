@@ -1,0 +1,53 @@
+#include "SpectrumFigure.h"
+
+#include "AxisScale.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double leastShare = 1e-9;  // of the largest value: what is smaller is rounding and would only stretch the axis
+
+Chart chartOf(const std::vector<SchemeSpectrum>& spectra, const ChartAxis& y, double ModeMeasures::*measure,
+              ChartSeries::Kind kind) {
+  Chart chart;
+  chart.x.title = "Mode n";
+  chart.y = y;
+  for (const ModeMeasures& mode : spectra.front().modes) chart.x.categories.push_back(mode.mode == "remainder" ? "rest" : mode.mode);
+  double largest = 0.0;
+  for (const SchemeSpectrum& spectrum : spectra)
+    for (const ModeMeasures& mode : spectrum.modes) largest = std::max(largest, mode.*measure);
+  for (const SchemeSpectrum& spectrum : spectra) {
+    ChartSeries series;
+    series.name = spectrum.scheme;
+    series.kind = kind;
+    for (size_t i = 0; i < spectrum.modes.size(); ++i) {
+      const double value = spectrum.modes[i].*measure;
+      series.x.push_back(i);
+      series.y.push_back(value > leastShare * largest ? value : std::numeric_limits<double>::quiet_NaN());
+    }
+    chart.series.push_back(series);
+  }
+  return chart;
+}
+
+}  // namespace
+
+Figure spectrumFigure(const std::vector<SchemeSpectrum>& spectra, const std::optional<double>& tolerance) {
+  Figure figure;
+  if (spectra.empty() || spectra.front().modes.empty()) return figure;
+  const auto axis = [](const char* title, const char* unit) {
+    return ChartAxis{title, unit, ChartAxis::Scale::Automatic};
+  };
+  const auto bars = ChartSeries::Kind::Bars;
+  figure.panels = {chartOf(spectra, axis("RMS of the contribution", "mm"), &ModeMeasures::rms, bars),
+                   chartOf(spectra, axis("Share of the energy", ""), &ModeMeasures::energyShare, bars),
+                   chartOf(spectra, axis("RMS missing from the partial sum", "mm"), &ModeMeasures::cumulativeError,
+                           ChartSeries::Kind::Samples)};
+  if (tolerance) figure.panels.back().marks.push_back({*tolerance, true, "tolerance " + tickText(*tolerance, *tolerance) + " mm"});
+  figure.title = "Spectrum of the surface";
+  figure.caption = "What each Fourier mode adds to the surface; \"rest\" is the remainder, all harmonics above N together.";
+  return figure;
+}
+
+}  // namespace mien

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "Figure.h"
+#include "SmoothingSweep.h"
+
+#include <map>
+
+namespace mien {
+
+/// Small multiples of a sweep's measures over a: a panel per measure, a line per scheme.
+///
+/// @param breakdowns  scheme to the a from which on its surface is no face any more
+/// @param reference   the a that departures are taken from
+Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns, double reference);
+
+}  // namespace mien
