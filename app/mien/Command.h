@@ -15,5 +15,10 @@ void addPatchCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addAnimateCommand(CLI::App& program);
 void addAcquireCommand(CLI::App& program);
+void addContinuityCommand(CLI::App& program);
+void addSpectrumCommand(CLI::App& program);
+void addSweepCommand(CLI::App& program);
+void addInfluenceCommand(CLI::App& program);
+void addCompareCommand(CLI::App& program);
 
 }  // namespace mien

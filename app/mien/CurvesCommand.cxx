@@ -6,12 +6,11 @@
 #include "FacePipeline.h"
 #include "Failure.h"
 #include "OutputFile.h"
+#include "PolyDataFile.h"
 #include "Remarks.h"
-#include "PipelineErrors.h"
 
-#include "vtkNew.h"
+#include "vtkAlgorithm.h"
 #include "vtkPolyData.h"
-#include "vtkXMLPolyDataWriter.h"
 
 #include <CLI/CLI.hpp>
 
@@ -40,18 +39,6 @@ void writeTable(vtkPolyData* data, const std::string& name) {
   const std::string fault = readFaceCurves(data, face);
   if (!fault.empty()) throw FileFailure(name + ": " + fault);
   OutputFile::write(name, curveTable(face.curves));
-}
-
-void writePolyData(vtkPolyData* data, const std::string& name) {
-  OutputFile file(name);
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  PipelineErrors errors;
-  errors.observe(writer);
-  writer->SetFileName(file.temporaryName().c_str());
-  writer->SetDataModeToBinary();
-  writer->SetInputDataObject(data);
-  if (!writer->Write() || !errors.first().empty()) throw FileFailure(name + ": cannot be written");
-  file.commit();
 }
 
 void run(const Options& options) {

@@ -15,7 +15,7 @@ double seconds(std::chrono::steady_clock::duration time) { return std::chrono::d
 
 }  // namespace
 
-ProgressLine::ProgressLine(int total) : total_(total), visible_(isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine(int total, const char* what) : total_(total), what_(what), visible_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
   if (visible_) std::fputs(clearLine, stderr);
@@ -26,7 +26,7 @@ void ProgressLine::show(int done) {
   if (!visible_ || seconds(now - shown_) < secondsBetweenLines) return;
   shown_ = now;
   const double left = done > 0 ? seconds(now - begin_) / done * (total_ - done) : 0.0;
-  std::fprintf(stderr, "%sframe %d of %d, %.0f s left", clearLine, done, total_, left);
+  std::fprintf(stderr, "%s%s %d of %d, %.0f s left", clearLine, what_, done, total_, left);
   std::fflush(stderr);
 }
 

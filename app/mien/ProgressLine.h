@@ -7,7 +7,7 @@ namespace mien {
 /// How far a command is and how long it will take, in one line on stderr when that is a terminal; nothing otherwise.
 class ProgressLine {
  public:
-  explicit ProgressLine(int total);
+  explicit ProgressLine(int total, const char* what = "frame");
   ~ProgressLine();  ///< takes the line away
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -18,6 +18,7 @@ class ProgressLine {
   using Clock = std::chrono::steady_clock;
 
   int total_;
+  const char* what_;
   bool visible_;
   Clock::time_point begin_ = Clock::now(), shown_;
 };

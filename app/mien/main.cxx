@@ -25,6 +25,11 @@ void addCommands(CLI::App& program) {
   mien::addRenderCommand(program);
   mien::addAnimateCommand(program);
   mien::addAcquireCommand(program);
+  mien::addContinuityCommand(program);
+  mien::addSpectrumCommand(program);
+  mien::addSweepCommand(program);
+  mien::addInfluenceCommand(program);
+  mien::addCompareCommand(program);
 }
 
 /// A first argument that is neither an option nor a command, which CLI11 would only call missing.

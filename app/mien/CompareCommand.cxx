@@ -1,0 +1,105 @@
+#include "Command.h"
+#include "DistanceFigure.h"
+#include "Failure.h"
+#include "MeshFile.h"
+#include "PipelineErrors.h"
+#include "PolyDataFile.h"
+#include "ReportOptions.h"
+#include "TableRows.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSurfaceDistanceFilter.h"
+#include "vtkTable.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace mien {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+struct Options {
+  std::string surface, reference;
+  ReportOptions report{{"vtp"}};
+  bool frontal = false, withSign = false, skin = false;
+};
+
+std::string shortName(const std::string& name) { return std::filesystem::path(name).filename().string(); }
+
+std::string direction(const Options& options, int way) {
+  const std::string a = shortName(options.surface), b = shortName(options.reference);
+  return way == 0 ? a + " to " + b : b + " to " + a;
+}
+
+std::vector<double> distances(const Options& options, vtkDataObject* output, double threshold) {
+  auto* surface = vtkPolyData::SafeDownCast(output);
+  vtkDataArray* array = surface->GetPointData()->GetArray("Distance");
+  std::vector<double> values;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    if (!options.frontal || surface->GetPoint(i)[2] > threshold) values.push_back(array->GetTuple1(i));
+  return values;
+}
+
+Report reportOf(const Options& options, vtkSurfaceDistanceFilter* filter) {
+  Report report;
+  report.json = {{"a", options.surface}, {"b", options.reference}, {"frontal", options.frontal}};
+  report.rows = tableRows(vtkTable::SafeDownCast(filter->GetOutputDataObject(2)));
+  for (int way = 0; way < 2; ++way) {
+    json& row = report.rows[way];
+    row["direction"] = direction(options, way);
+    json measures = row;
+    measures.erase("direction");
+    report.json[way == 0 ? "a_to_b" : "b_to_a"] = measures;
+  }
+  report.figure = [&options, filter] {
+    Figure figure = distanceFigure({{direction(options, 0), distances(options, filter->GetOutputDataObject(0), filter->GetFrontalThreshold())},
+                                    {direction(options, 1), distances(options, filter->GetOutputDataObject(1), filter->GetFrontalThreshold())}});
+    figure.note = std::string(options.frontal ? "Points with z > 50 mm" : "All points") + "; Mien " MIEN_VERSION;
+    return figure;
+  };
+  return report;
+}
+
+void run(const Options& options) {
+  options.report.check();
+  const auto surface = readMesh(options.surface), reference = readMesh(options.reference);
+  vtkNew<vtkSurfaceDistanceFilter> filter;
+  PipelineErrors errors;
+  errors.observe(filter);
+  filter->SetInputDataObject(0, surface);
+  filter->SetInputDataObject(1, reference);
+  filter->SetFrontalOnly(options.frontal);
+  filter->SetSigned(options.withSign);
+  filter->SetLargestComponentOnly(options.skin);
+  filter->Update();
+  if (!errors.first().empty()) throw FileFailure(options.surface + ", " + options.reference + ": " + errors.first());
+  for (const std::string& name : options.report.outputs("vtp"))
+    writePolyData(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)), name);
+  options.report.deliver(reportOf(options, filter), "mien compare " + options.surface + " " + options.reference);
+}
+
+}  // namespace
+
+void addCompareCommand(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("compare", "Measure the distance between two surfaces, both ways");
+  command->add_option("a", options->surface, "Surface, .vts .vtp .ply .obj .stl .off, mm")->required();
+  command->add_option("b", options->reference, "The one it is compared with")->required();
+  options->report.addTo(*command);
+  command->add_flag("--frontal", options->frontal, "Only points with z > 50 mm count");
+  command->add_flag("--signed", options->withSign, "Distances behind the other surface are negative in the .vtp file");
+  command->add_flag("--largest-part", options->skin, "Only the largest connected part of B counts, such as skin without eyeballs");
+  command->footer(
+      "Example: mien compare face.vts scan.ply --frontal -o distance.vtp -o distance.svg\n"
+      "RMS and mean are weighted with the area around each point. The .vtp file is A with the point array Distance (mm).");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace mien

@@ -1,0 +1,135 @@
+#include "Arguments.h"
+#include "Command.h"
+#include "CsvText.h"
+#include "Failure.h"
+#include "MeasuredFace.h"
+#include "PipelineErrors.h"
+#include "ReportOptions.h"
+#include "SpectrumFigure.h"
+#include "TableRows.h"
+
+#include "vtkNew.h"
+#include "vtkPDEModeFilter.h"
+#include "vtkTable.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace mien {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+struct Options {
+  MeasuredFace face;
+  ReportOptions report;
+  std::string toleranceText;
+  std::optional<double> tolerance;  ///< mm
+};
+
+/// "0.1" or "0.1mm".
+double parseMillimetres(const std::string& option, const std::string& text) {
+  const bool hasUnit = text.size() > 2 && text.compare(text.size() - 2, 2, "mm") == 0;
+  const double value = parseNumber(option, hasUnit ? text.substr(0, text.size() - 2) : text);
+  if (!(value > 0.0)) throw ValueFailure(option + " '" + text + "' is not above 0; write it as 0.1mm");
+  return value;
+}
+
+/// The mode's number, where it has one.
+json modeName(const std::string& name) {
+  if (name == "remainder") return name;
+  return parseWholeNumber("mode", name);
+}
+
+/// The row of a mode as the JSON has it: n, then the measures.
+json modeObject(const json& row) {
+  json object;
+  for (const auto& item : row.items())
+    if (item.key() == "mode")
+      object["n"] = modeName(item.value());
+    else
+      object[item.key()] = item.value();
+  return object;
+}
+
+ModeMeasures measuresOf(const json& row) {
+  const auto number = [&](const char* key) { return row[key].is_null() ? 0.0 : row[key].get<double>(); };
+  ModeMeasures measures;
+  measures.mode = row["mode"];
+  measures.rms = number("rms_mm");
+  measures.max = number("max_mm");
+  measures.energyShare = number("energy_share");
+  measures.cumulativeError = number("cumulative_rms_error_mm");
+  return measures;
+}
+
+void findSmallestCount(vtkPDEModeFilter* filter, const std::string& scheme, double tolerance, json& about, Report& report) {
+  const int count = filter->FindNumberOfModes(tolerance);
+  if (count < 0) return;  // the error is among those observed
+  about["tolerance_mm"] = tolerance;
+  about["smallest_harmonics"] = count;
+  report.remarks.push_back(scheme + ": modes 0 .. " + std::to_string(count) + " come within " + shortestText(tolerance) +
+                           " mm RMS of the surface of all modes; smallest N = " + std::to_string(count));
+}
+
+SchemeSpectrum measureScheme(const Options& options, const std::string& scheme, Report& report) {
+  vtkNew<vtkPDEModeFilter> filter;
+  PipelineErrors errors;
+  errors.observe(filter);
+  options.face.connect(filter, scheme);
+  filter->SetResolution(options.face.state().rows, options.face.state().columns);
+  filter->SetUniformRows(options.face.state().uniformRows);
+  filter->Update();
+  json about = options.face.description(scheme);
+  if (options.tolerance && errors.first().empty()) findSmallestCount(filter, scheme, *options.tolerance, about, report);
+  if (!errors.first().empty()) throw ValueFailure(errors.first());
+  SchemeSpectrum spectrum{scheme, {}};
+  about["modes"] = json::array();
+  for (const json& row : tableRows(filter->GetSpectrum())) {
+    about["modes"].push_back(modeObject(row));
+    report.rows.push_back({{"scheme", scheme}});
+    report.rows.back().update(modeObject(row));
+    spectrum.modes.push_back(measuresOf(row));
+  }
+  report.json["schemes"].push_back(about);
+  return spectrum;
+}
+
+void run(Options& options) {
+  options.report.check();
+  if (!options.toleranceText.empty()) options.tolerance = parseMillimetres("--tolerance", options.toleranceText);
+  options.face.update();
+  Report report;
+  report.rows = json::array();
+  std::vector<SchemeSpectrum> spectra;
+  for (const std::string& scheme : options.face.schemes()) spectra.push_back(measureScheme(options, scheme, report));
+  if (spectra.size() == 1) report.json = json(report.json["schemes"][0]);
+  report.figure = [&] {
+    Figure figure = spectrumFigure(spectra, options.tolerance);
+    for (const std::string& remark : report.remarks) figure.caption += " " + remark + ".";
+    const FaceState& state = options.face.state();
+    figure.note = options.face.note() + "; " + std::to_string(state.rows) + " x " + std::to_string(state.columns);
+    return figure;
+  };
+  options.report.deliver(report, "mien spectrum");
+}
+
+}  // namespace
+
+void addSpectrumCommand(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("spectrum", "Measure what each Fourier mode adds to a face");
+  options->report.addTo(*command);
+  command->add_option("--tolerance", options->toleranceText,
+                      "Names the smallest N whose modes come that near to the surface, mm, such as 0.1mm");
+  options->face.addTo(*command);
+  command->footer(
+      "Example: mien spectrum -N 12 --tolerance 0.1mm -o spectrum.pdf\n"
+      "RMS and largest length of each mode's contribution (mm), its share of the energy with the centroid removed, and the RMS\n"
+      "of what the sum of the modes so far still lacks; the remainder is all harmonics above N together.");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace mien

@@ -1,0 +1,164 @@
+#include "Arguments.h"
+#include "Command.h"
+#include "CsvText.h"
+#include "Failure.h"
+#include "Interruption.h"
+#include "MeasuredFace.h"
+#include "MeshFile.h"
+#include "NumberRange.h"
+#include "PipelineErrors.h"
+#include "ProgressLine.h"
+#include "ReportOptions.h"
+#include "SweepFigure.h"
+#include "TableRows.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkNew.h"
+#include "vtkPDEParameterSweep.h"
+#include "vtkTable.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace mien {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+struct Options {
+  MeasuredFace face;
+  ReportOptions report;
+  std::string range = "0.1:10:21log", referenceSmoothing = "1", scan;
+};
+
+constexpr int progressSteps = 1000;
+
+/// Shows how far the sweep is, and ends it after Ctrl-C.
+void watch(vtkObject* caller, unsigned long, void* line, void*) {
+  auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+  static_cast<ProgressLine*>(line)->show(static_cast<int>(progressSteps * algorithm->GetProgress()));
+  if (wasInterrupted()) algorithm->SetAbortExecute(1);
+}
+
+void updateWatched(vtkPDEParameterSweep* sweep) {
+  noteInterruptions();
+  ProgressLine line(progressSteps, "part");
+  vtkNew<vtkCallbackCommand> callback;
+  callback->SetCallback(watch);
+  callback->SetClientData(&line);
+  const unsigned long observer = sweep->AddObserver(vtkCommand::ProgressEvent, callback);
+  sweep->Update();
+  sweep->RemoveObserver(observer);
+  if (wasInterrupted()) throw Stopped("stopped before the sweep was complete; nothing was written");
+}
+
+void setOptions(const Options& options, vtkPDEParameterSweep* sweep) {
+  std::vector<double> values;
+  const std::string fault = parseNumberRange(options.range, values);
+  if (!fault.empty()) throw ValueFailure("-a: " + fault);
+  sweep->SetSmoothingValues(values);
+  sweep->SetReferenceSmoothing(parseNumber("--reference-a", options.referenceSmoothing));
+  sweep->SetResolution(options.face.state().rows, options.face.state().columns);
+  for (const std::string& scheme : options.face.schemes()) sweep->AddScheme(scheme);
+}
+
+/// The row as a record of filters/core, for the figure.
+SweepRecord recordOf(const json& row) {
+  SweepRecord record;
+  record.scheme = row["scheme"];
+  record.smoothing = row["a"];
+  for (const std::string& name : sweepMeasureNames()) {
+    const bool known = row.contains(name) && !row[name].is_null();
+    record.values.push_back(known ? row[name].get<double>() : std::numeric_limits<double>::quiet_NaN());
+  }
+  record.reason = row["reason"];
+  return record;
+}
+
+/// A sample of the JSON: without a reason there is none.
+json sampleOf(json row) {
+  if (row["reason"].get<std::string>().empty()) row.erase("reason");
+  for (const char* const count : {"folded_cells", "folded_cells_on_seams"})
+    if (row[count].is_number()) row[count] = static_cast<long long>(row[count].get<double>());
+  return row;
+}
+
+std::map<std::string, double> describeBreakdowns(const Options& options, vtkPDEParameterSweep* sweep, Report& report) {
+  std::map<std::string, double> breakdowns;
+  report.json["breakdowns"] = json::array();
+  for (const std::string& scheme : options.face.schemes()) {
+    const double a = sweep->GetBreakdown(scheme);
+    const std::string reason = sweep->GetBreakdownReason(scheme);
+    report.json["breakdowns"].push_back({{"scheme", scheme}, {"a", std::isfinite(a) ? json(a) : json(nullptr)}, {"reason", reason}});
+    if (std::isfinite(a)) breakdowns[scheme] = a;
+    report.remarks.push_back(scheme + ": " + (std::isfinite(a) ? "breaks down at a = " + shortestText(a) + ": " + reason
+                                                              : "holds at every a of the sweep"));
+  }
+  return breakdowns;
+}
+
+Report reportOf(const Options& options, vtkPDEParameterSweep* sweep) {
+  const FaceState& state = options.face.state();
+  Report report;
+  report.json = options.face.description(options.face.schemes().front());
+  report.json.erase("a");
+  report.json["scheme"] = options.face.schemes().size() == 1 ? json(options.face.schemes().front()) : json(options.face.schemes());
+  report.json["reference_a"] = sweep->GetReferenceSmoothing();
+  report.json["rows"] = state.rows;
+  report.json["columns"] = state.columns;
+  report.rows = json::array();
+  std::vector<SweepRecord> records;
+  for (const json& row : tableRows(sweep->GetOutput())) {
+    records.push_back(recordOf(row));
+    report.rows.push_back(row);
+    report.json["samples"].push_back(sampleOf(row));
+  }
+  const std::map<std::string, double> breakdowns = describeBreakdowns(options, sweep, report);
+  const std::string note = options.face.note(false) + "; " + std::to_string(state.rows) + " x " + std::to_string(state.columns) +
+                           (options.scan.empty() ? "" : "; distance to " + options.scan);
+  report.figure = [records, breakdowns, note, reference = sweep->GetReferenceSmoothing()] {
+    Figure figure = sweepFigure(records, breakdowns, reference);
+    figure.note = note;
+    return figure;
+  };
+  return report;
+}
+
+void run(Options& options) {
+  options.report.check();
+  options.face.update();
+  vtkNew<vtkPDEParameterSweep> sweep;
+  PipelineErrors errors;
+  errors.observe(sweep);
+  options.face.connect(sweep, options.face.schemes().front());
+  setOptions(options, sweep);
+  if (!options.scan.empty()) sweep->SetReferenceData(readMesh(options.scan));
+  updateWatched(sweep);
+  if (!errors.first().empty()) throw ValueFailure(errors.first());
+  options.report.deliver(reportOf(options, sweep), "mien sweep");
+}
+
+}  // namespace
+
+void addSweepCommand(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("sweep", "Measure a face over the smoothing parameter a");
+  options->report.addTo(*command);
+  options->face.setDefaultResolution(112, 80);
+  options->face.addWithoutSmoothing(*command);
+  command->add_option("-a,--a,--smoothing", options->range, "Values of a: 0.5,1,2 or 0.1:100:50log or 0.1:1:10")
+      ->capture_default_str()->group("Face");
+  command->add_option("--reference-a", options->referenceSmoothing, "The a that departures are measured from")->capture_default_str();
+  command->add_option("--reference", options->scan, "Mesh that distances are measured to, such as a scan");
+  command->footer(
+      "Example: mien sweep --scheme all --a 0.1:100:50log -o sweep.csv -o sweep.svg\n"
+      "Area, departure from the surface at the reference a, miss of the curves, Lebesgue constant, largest angle at a seam,\n"
+      "folded cells, Willmore energy; crosses in the chart mark where a scheme breaks down. Ctrl-C stops without output.");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace mien
