@@ -117,7 +117,12 @@ void measureScheme(const Options& options, const std::string& scheme, Report& re
   filter->Update();
   if (!errors.first().empty()) throw ValueFailure(errors.first());
   const json rows = tableRows(filter->GetSummary());
-  for (const json& row : rows) report.rows.push_back(withScheme(scheme, row));
+  for (const json& row : rows) {
+    report.rows.push_back(withScheme(scheme, row));
+    report.readable.push_back(withScheme(scheme, part(row, false)));
+  }
+  report.readable.push_back(withScheme(scheme, part(rows.back(), true)));
+  report.readable.back()["seam"] = "frontal";
   json about = options.face.description(scheme);
   describe(rows, about);
   report.json["schemes"].push_back(about);

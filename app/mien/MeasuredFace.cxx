@@ -88,7 +88,7 @@ nlohmann::ordered_json MeasuredFace::description(const std::string& scheme) cons
     about["a"] = surface.smoothing.front();
   else
     about["a"] = surface.smoothing;
-  about["harmonics"] = surface.modes;
+  about["modes"] = surface.modes;
   about["remainder"] = surface.remainder;
   return about;
 }

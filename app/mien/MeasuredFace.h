@@ -45,7 +45,7 @@ class MeasuredFace {
   /// Connects a filter to the curves and gives it the face's parameters in that scheme.
   void connect(vtkPDEFaceAlgorithm* filter, const std::string& scheme) const;
 
-  /// What follows from the state: "scheme", "a" (a number, or nine), "harmonics", "remainder".
+  /// What follows from the state: "scheme", "a" (a number, or nine), "modes" (N), "remainder".
   nlohmann::ordered_json description(const std::string& scheme) const;
 
   /// For the notes of figures: "generic face, spline scheme, a = 1, N = 5 with remainder".

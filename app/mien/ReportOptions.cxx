@@ -98,7 +98,7 @@ void ReportOptions::deliver(const Report& report, const std::string& command) co
     std::cout << report.json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
     return;
   }
-  std::cout << readableText(report.rows);
+  std::cout << readableText(report.readable.is_null() ? report.rows : report.readable);
   for (const std::string& remark : report.remarks) std::cout << remark << "\n";
 }
 

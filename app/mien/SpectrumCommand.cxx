@@ -83,6 +83,7 @@ SchemeSpectrum measureScheme(const Options& options, const std::string& scheme, 
   filter->SetUniformRows(options.face.state().uniformRows);
   filter->Update();
   json about = options.face.description(scheme);
+  about["harmonics"] = about["modes"];
   if (options.tolerance && errors.first().empty()) findSmallestCount(filter, scheme, *options.tolerance, about, report);
   if (!errors.first().empty()) throw ValueFailure(errors.first());
   SchemeSpectrum spectrum{scheme, {}};

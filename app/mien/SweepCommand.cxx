@@ -79,6 +79,11 @@ SweepRecord recordOf(const json& row) {
   return record;
 }
 
+json withoutReason(json row) {
+  row.erase("reason");
+  return row;
+}
+
 /// A sample of the JSON: without a reason there is none.
 json sampleOf(json row) {
   if (row["reason"].get<std::string>().empty()) row.erase("reason");
@@ -115,6 +120,7 @@ Report reportOf(const Options& options, vtkPDEParameterSweep* sweep) {
   for (const json& row : tableRows(sweep->GetOutput())) {
     records.push_back(recordOf(row));
     report.rows.push_back(row);
+    report.readable.push_back(withoutReason(row));
     report.json["samples"].push_back(sampleOf(row));
   }
   const std::map<std::string, double> breakdowns = describeBreakdowns(options, sweep, report);

@@ -39,9 +39,7 @@ std::string readableCell(const json& value) {
   if (value.is_null()) return "-";
   if (value.is_string()) return value.get<std::string>().empty() ? "-" : value.get<std::string>();
   if (!value.is_number_float()) return value.dump();
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value.get<double>());
-  return text;
+  return readableNumber(value);
 }
 
 using Lines = std::vector<std::vector<std::string>>;
@@ -62,6 +60,12 @@ std::string padded(const std::string& text, size_t width, bool left) {
 }
 
 }  // namespace
+
+std::string readableNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
 
 json tableRows(vtkTable* table) {
   json rows = json::array();

@@ -17,4 +17,7 @@ std::string csvText(const nlohmann::ordered_json& rows);
 /// The same for reading: columns below each other, numbers in four digits; null is "-".
 std::string readableText(const nlohmann::ordered_json& rows);
 
+/// A number in four digits.
+std::string readableNumber(double value);
+
 }  // namespace mien

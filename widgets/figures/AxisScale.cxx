@@ -10,7 +10,8 @@ namespace mien {
 namespace {
 
 constexpr double automaticSpan = 50.0;   // from here on small values vanish on a linear axis
-constexpr double mostPlainNumber = 1e5;  // larger ones are written as powers of ten
+constexpr double mostPlainNumber = 1e6;  // from here on numbers are written as powers of ten ...
+constexpr double mostPlainDecade = 1e4;  // ... and decades from here on, which are compared by their powers
 constexpr double leastPlainNumber = 1e-4;
 constexpr double rounding = 1e-9;        // of a step: ticks that miss the end by rounding still belong to the axis
 
@@ -28,6 +29,8 @@ double niceStep(double step) {
     if (step <= factor * power * (1.0 + rounding)) return factor * power;
   return 10.0 * power;
 }
+
+std::string powerText(double value) { return "10" + superscript(static_cast<int>(std::lround(std::log10(value)))); }
 
 std::string plainText(double value, int decimals) {
   char text[64];
@@ -115,19 +118,20 @@ std::vector<AxisTick> AxisScale::ticks(const ChartAxis& axis, int most) const {
   for (size_t i = 0; i < axis.categories.size(); ++i) ticks.push_back({static_cast<double>(i), axis.categories[i]});
   if (!ticks.empty()) return ticks;
   if (logarithmic_) return decadeTicks(most);
-  return linearTicks(axis.step > 0.0 ? axis.step : niceStep((end_ - begin_) / std::max(1, most)));
+  if (axis.step <= 0.0) return linearTicks(niceStep((end_ - begin_) / std::max(1, most)), 0.0);
+  return linearTicks(axis.step, axis.begin.value_or(0.0));
 }
 
-std::vector<AxisTick> AxisScale::linearTicks(double step) const {
+std::vector<AxisTick> AxisScale::linearTicks(double step, double origin) const {
   std::vector<AxisTick> ticks;
-  const double first = std::ceil(begin_ / step - rounding), last = std::floor(end_ / step + rounding);
-  for (double i = first; i <= last; ++i) ticks.push_back({i * step, tickText(i * step, step)});
+  const double first = std::ceil((begin_ - origin) / step - rounding), last = std::floor((end_ - origin) / step + rounding);
+  for (double i = first; i <= last; ++i) ticks.push_back({origin + i * step, tickText(origin + i * step, step)});
   return ticks;
 }
 
 std::vector<AxisTick> AxisScale::decadeTicks(int most) const {
   const double span = std::log10(end_ / begin_);
-  if (span < 1.0) return linearTicks(niceStep((end_ - begin_) / std::max(1, most)));
+  if (span < 1.0) return linearTicks(niceStep((end_ - begin_) / std::max(1, most)), 0.0);
   const int first = static_cast<int>(std::floor(std::log10(begin_) + rounding));
   const int last = static_cast<int>(std::floor(std::log10(end_) + rounding));
   const int every = std::max(1, static_cast<int>(std::ceil((last - first + 1) / static_cast<double>(std::max(1, most)))));
@@ -135,7 +139,7 @@ std::vector<AxisTick> AxisScale::decadeTicks(int most) const {
   for (int decade = first; decade <= last; ++decade) {
     const double value = std::pow(10.0, decade);
     const bool named = (decade - first) % every == 0;
-    if (value >= begin_ * (1.0 - rounding)) ticks.push_back({value, named ? tickText(value, value) : ""});
+    if (value >= begin_ * (1.0 - rounding)) ticks.push_back({value, !named ? "" : value < mostPlainDecade ? tickText(value, value) : powerText(value)});
     if (every == 1) appendMinorTicks(decade, 3 * (last - first + 1) <= most, ticks);
   }
   return ticks;

@@ -33,7 +33,7 @@ class AxisScale {
   std::vector<AxisTick> ticks(const ChartAxis& axis, int most) const;
 
  private:
-  std::vector<AxisTick> linearTicks(double step) const;
+  std::vector<AxisTick> linearTicks(double step, double origin) const;
   std::vector<AxisTick> decadeTicks(int most) const;
   void appendMinorTicks(int decade, bool labelled, std::vector<AxisTick>& ticks) const;
 

@@ -1,6 +1,7 @@
 #include "ContinuityFigure.h"
 
 #include "AxisScale.h"
+#include "SchemeStyle.h"
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@ namespace mien {
 namespace {
 
 constexpr double quarterTurn = 90.0;
+constexpr double leastShown = 1e-9;  // an axis that ended below would show rounding as if it were a property
 
 std::vector<std::string> seamsOf(const std::vector<SeamProfile>& profiles) {
   std::vector<std::string> seams;
@@ -21,8 +23,14 @@ std::vector<std::string> seamsOf(const std::vector<SeamProfile>& profiles) {
 ChartAxis commonAxis(const std::vector<SeamProfile>& profiles, const ChartAxis& measure) {
   std::vector<double> values;
   for (const SeamProfile& profile : profiles) values.insert(values.end(), profile.value.begin(), profile.value.end());
-  const AxisScale scale = AxisScale::around(measure, values, true);
   ChartAxis axis = measure;
+  const bool isRounding = std::all_of(values.begin(), values.end(), [](double value) { return !(value > leastShown); });
+  if (isRounding) axis.end = 1.0;
+  if (measure.unit == "degrees") {
+    axis.end = 2.0 * quarterTurn;  // all that an angle between normals can be
+    axis.step = 0.5 * quarterTurn;
+  }
+  const AxisScale scale = AxisScale::around(axis, values, true);
   axis.scale = scale.logarithmic() ? ChartAxis::Scale::Logarithmic : ChartAxis::Scale::Linear;
   axis.begin = scale.begin();
   axis.end = scale.end();
@@ -38,7 +46,7 @@ Chart seamChart(const std::string& seam, const std::vector<SeamProfile>& profile
   chart.y = y;
   chart.y.title = seam + ", " + y.title;
   for (const SeamProfile& profile : profiles)
-    if (profile.seam == seam) chart.series.push_back({profile.scheme, profile.v, profile.value});
+    if (profile.seam == seam) chart.series.push_back({profile.scheme, profile.v, profile.value, ChartSeries::Kind::Line, schemeStyle(profile.scheme)});
   return chart;
 }
 

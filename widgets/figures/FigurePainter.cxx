@@ -14,7 +14,8 @@ namespace {
 constexpr double border = 1.5;        // mm
 constexpr double leastPanel = 38.0;   // mm: narrower panels have no room for three numbers on their x axis
 constexpr double leastHeight = 24.0;  // mm, of a plot
-constexpr double plotShape = 0.55;    // height over width of a panel's plot
+constexpr double plotShape = 0.55;    // height over width of a panel's plot ...
+constexpr double mostHeight = 65.0;   // mm: ... until that is taller than a figure on a page should be
 constexpr double columnGap = 3.0;     // mm
 constexpr double rowGap = 3.0;        // mm
 constexpr double titleSize = 8.5, captionSize = 7.0, noteSize = 6.0;  // pt
@@ -68,7 +69,7 @@ void FigurePainter::layOut(double height) {
   const double below = (textHeight() > 0.0 ? units(2.0) : 0.0) + textHeight() + units(border);
   const int rows = rowCount();
   const double gaps = std::max(0, rows - 1) * units(rowGap);
-  const double wantedPlot = std::max(units(leastHeight), plotShape * cellWidth());
+  const double wantedPlot = std::min(std::max(units(leastHeight), plotShape * cellWidth()), units(mostHeight));
   const ChartPainter::Margins margins = commonMargins(wantedPlot);
   const double wanted = top + rows * (margins.top + wantedPlot + margins.bottom) + gaps + below;
   size_.setHeight(std::ceil(height > 0.0 ? height : wanted));

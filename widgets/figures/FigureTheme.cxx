@@ -10,7 +10,7 @@ const std::vector<FigureTheme>& FigureTheme::all() {
        {"#0072b2", "#d55e00", "#009e73", "#b0548a", "#c98500", "#3c9bd0"}, 1.1, 0.5},
       {"dark", "#1d2126", "#e6e6e6", "#b0b5ba", "#3a4047",
        {"#59aee8", "#f28a3c", "#3cc79c", "#e39ac4", "#f0b93a", "#a9d8f5"}, 1.1, 0.5},
-      {"print", QColor(), "#000000", "#000000", "#dddddd",
+      {"print", "#ffffff", "#000000", "#000000", "#dddddd",
        {"#000000", "#0072b2", "#d55e00", "#00875f", "#a8447f", "#a06a00"}, 0.9, 0.4}};
   return themes;
 }

@@ -10,7 +10,7 @@ namespace mien {
 namespace {
 
 constexpr double markerRadius = 1.9;     // pt: told apart at a glance in print
-constexpr double breakdownRadius = 3.2;  // pt: larger than any marker
+constexpr double breakdownRadius = 2.6;  // pt: larger than any marker
 
 /// In multiples of the line's width.
 QVector<qreal> dashes(int index) {
@@ -63,9 +63,9 @@ void SeriesStyle::drawMarker(QPainter& painter, const QPointF& center) const {
 
 void SeriesStyle::drawBreakdown(QPainter& painter, const QPointF& center, const QColor& color) const {
   const double r = figureUnitsFromPoints(breakdownRadius);
-  painter.setPen(QPen(background_, 3.4 * width_));  // a rim keeps the cross apart from the lines it lies on
+  painter.setPen(QPen(background_, 2.8 * width_));  // a rim keeps the cross apart from the lines it lies on
   drawCross(painter, center, r);
-  painter.setPen(QPen(color, 1.7 * width_));
+  painter.setPen(QPen(color, 1.5 * width_));
   drawCross(painter, center, r);
 }
 

@@ -1,6 +1,10 @@
 #include "SpectrumFigure.h"
 
 #include "AxisScale.h"
+#include "SchemeStyle.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace mien {
 
@@ -9,19 +13,24 @@ namespace {
 constexpr double leastShare = 1e-9;  // of the largest value: what is smaller is rounding and would only stretch the axis
 
 Chart chartOf(const std::vector<SchemeSpectrum>& spectra, const ChartAxis& y, double ModeMeasures::*measure,
-              ChartSeries::Kind kind) {
+              ChartSeries::Kind kind, bool ofModesOnly) {
   Chart chart;
   chart.x.title = "Mode n";
   chart.y = y;
-  for (const ModeMeasures& mode : spectra.front().modes) chart.x.categories.push_back(mode.mode == "remainder" ? "rest" : mode.mode);
+  const size_t count = spectra.front().modes.size() - (ofModesOnly && spectra.front().modes.back().mode == "remainder" ? 1 : 0);
+  for (size_t i = 0; i < count; ++i) {
+    const ModeMeasures& mode = spectra.front().modes[i];
+    chart.x.categories.push_back(mode.mode == "remainder" ? "rest" : mode.mode);
+  }
   double largest = 0.0;
   for (const SchemeSpectrum& spectrum : spectra)
     for (const ModeMeasures& mode : spectrum.modes) largest = std::max(largest, mode.*measure);
   for (const SchemeSpectrum& spectrum : spectra) {
     ChartSeries series;
-    series.name = spectrum.scheme;
+    if (spectra.size() > 1) series.name = spectrum.scheme;  // one alone is named in the note
     series.kind = kind;
-    for (size_t i = 0; i < spectrum.modes.size(); ++i) {
+    series.style = schemeStyle(spectrum.scheme);
+    for (size_t i = 0; i < std::min(count, spectrum.modes.size()); ++i) {
       const double value = spectrum.modes[i].*measure;
       series.x.push_back(i);
       series.y.push_back(value > leastShare * largest ? value : std::numeric_limits<double>::quiet_NaN());
@@ -39,14 +48,14 @@ Figure spectrumFigure(const std::vector<SchemeSpectrum>& spectra, const std::opt
   const auto axis = [](const char* title, const char* unit) {
     return ChartAxis{title, unit, ChartAxis::Scale::Automatic};
   };
-  const auto bars = ChartSeries::Kind::Bars;
-  figure.panels = {chartOf(spectra, axis("RMS of the contribution", "mm"), &ModeMeasures::rms, bars),
-                   chartOf(spectra, axis("Share of the energy", ""), &ModeMeasures::energyShare, bars),
-                   chartOf(spectra, axis("RMS missing from the partial sum", "mm"), &ModeMeasures::cumulativeError,
-                           ChartSeries::Kind::Samples)};
+  const auto samples = ChartSeries::Kind::Samples;
+  const auto bars = spectra.size() > 1 ? samples : ChartSeries::Kind::Bars;  // many bars differ in colour alone
+  figure.panels = {chartOf(spectra, axis("RMS of the contribution", "mm"), &ModeMeasures::rms, bars, false),
+                   chartOf(spectra, axis("Share of the energy", ""), &ModeMeasures::energyShare, bars, false),
+                   chartOf(spectra, axis("RMS missing from the sum", "mm"), &ModeMeasures::cumulativeError, samples, true)};
   if (tolerance) figure.panels.back().marks.push_back({*tolerance, true, "tolerance " + tickText(*tolerance, *tolerance) + " mm"});
   figure.title = "Spectrum of the surface";
-  figure.caption = "What each Fourier mode adds to the surface; \"rest\" is the remainder, all harmonics above N together.";
+  figure.caption = "What each Fourier mode adds to the surface; \"rest\" is the remainder, all harmonics above N together. (c) What the sum of the modes up to n lacks.";
   return figure;
 }
 

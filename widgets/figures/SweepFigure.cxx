@@ -1,6 +1,7 @@
 #include "SweepFigure.h"
 
 #include "AxisScale.h"
+#include "SchemeStyle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,31 +10,31 @@ namespace mien {
 
 namespace {
 
+constexpr auto linear = ChartAxis::Scale::Linear;
+constexpr auto logarithmic = ChartAxis::Scale::Logarithmic;
+
 struct Panel {
   const char* measure;
   const char* title;
   const char* unit;
+  ChartAxis::Scale scale;
+  double room;  ///< the axis ends at the largest value of a surface that is a face, times this
 };
 
-const Panel panels[] = {{"area_mm2", "Area", "mm²"},
-                        {"rms_departure_mm", "RMS departure", "mm"},
-                        {"max_departure_mm", "Largest departure", "mm"},
-                        {"curve_miss_rms_mm", "RMS miss of curves", "mm"},
-                        {"lebesgue", "Lebesgue constant", ""},
-                        {"g1_max_deg", "Largest seam angle", "degrees"},
-                        {"folded_cells", "Folded cells", ""},
-                        {"willmore_energy", "Willmore energy", ""},
-                        {"distance_rms_mm", "RMS distance to scan", "mm"}};
+const Panel panels[] = {{"area_mm2", "Area", "mm²", linear, 1.0},
+                        {"rms_departure_mm", "RMS departure", "mm", logarithmic, 10.0},
+                        {"max_departure_mm", "Largest departure", "mm", logarithmic, 10.0},
+                        {"curve_miss_rms_mm", "RMS miss of curves", "mm", linear, 1.5},
+                        {"lebesgue", "Lebesgue constant", "", logarithmic, 100.0},
+                        {"g1_max_deg", "Seam angle", "degrees", linear, 1.0},
+                        {"folded_cells", "Folded cells", "", linear, 2.0},
+                        {"willmore_energy", "Willmore energy", "", logarithmic, 100.0},
+                        {"distance_rms_mm", "RMS to reference", "mm", linear, 1.5}};
 
-// Below this values are rounding; drawing them would take most of an axis.
-constexpr double leastShownMillimetres = 1e-6;
+constexpr double halfTurn = 180.0;
+constexpr double leastShown = 1e-6;  // mm and degrees: below this values are rounding and would take most of an axis
 
-bool isMillimetres(const Panel& panel) { return std::string(panel.unit) == "mm"; }
-
-double shown(const Panel& panel, double value) {
-  if (isMillimetres(panel) && value < leastShownMillimetres) return 0.0;
-  return value;
-}
+double shown(const Panel& panel, double value) { return *panel.unit && value < leastShown ? 0.0 : value; }
 
 std::vector<std::string> schemesOf(const std::vector<SweepRecord>& records) {
   std::vector<std::string> schemes;
@@ -45,6 +46,7 @@ std::vector<std::string> schemesOf(const std::vector<SweepRecord>& records) {
 ChartSeries seriesOf(const std::vector<SweepRecord>& records, const std::string& scheme, const Panel& panel, size_t column) {
   ChartSeries series;
   series.name = scheme;
+  series.style = schemeStyle(scheme);
   std::vector<std::pair<double, double>> points;  // a list of a need not be in order
   for (const SweepRecord& record : records)
     if (record.scheme == scheme && column < record.values.size())
@@ -64,18 +66,46 @@ bool hasValues(const Chart& chart) {
   return false;
 }
 
+/// The values of surfaces that are faces, up to each scheme's breakdown.
+std::vector<double> soundValues(const Chart& chart) {
+  std::vector<double> values;
+  for (const ChartSeries& series : chart.series)
+    for (size_t i = 0; i < series.x.size(); ++i)
+      if (std::isfinite(series.y[i]) && (!series.breakdown || series.x[i] <= *series.breakdown)) values.push_back(series.y[i]);
+  return values;
+}
+
+/// Past its breakdown a measure can grow to 1e30, beside which nothing else would be seen: the line leaves the panel.
+void limitAxis(Chart& chart, double room) {
+  std::vector<double> values = soundValues(chart);
+  double largest = 0.0, end = 0.0;
+  for (const ChartSeries& series : chart.series)
+    for (const double value : series.y)
+      if (std::isfinite(value)) largest = std::max(largest, value);
+  for (const double value : values) end = std::max(end, room * value);
+  if (!values.empty()) values.push_back(std::min(end, largest));
+  if (largest == 0.0) chart.y.end = 1.0;
+  const AxisScale scale = AxisScale::around(chart.y, values, false);
+  chart.y.begin = scale.begin();
+  chart.y.end = scale.end();
+  if (chart.y.unit != "degrees") return;
+  chart.y.end = halfTurn;  // all that an angle between normals can be
+  chart.y.step = 0.25 * halfTurn;
+}
+
 Chart chartOf(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns, const Panel& panel,
               size_t column) {
   Chart chart;
   chart.x.title = "a";
   chart.x.scale = ChartAxis::Scale::Automatic;
   chart.x.endsWithData = true;
-  chart.y = ChartAxis{panel.title, panel.unit, ChartAxis::Scale::Automatic};
+  chart.y = ChartAxis{panel.title, panel.unit, panel.scale};
   for (const std::string& scheme : schemesOf(records)) {
     chart.series.push_back(seriesOf(records, scheme, panel, column));
     const auto breakdown = breakdowns.find(scheme);
     if (breakdown != breakdowns.end()) chart.series.back().breakdown = breakdown->second;
   }
+  limitAxis(chart, panel.room);
   return chart;
 }
 
@@ -91,8 +121,8 @@ Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::
   }
   figure.title = "The smoothing parameter a";
   figure.caption = "Measures of the surface over a; departures are from the same scheme's surface at a = " +
-                   tickText(reference, reference) + ". Below 0.000001 mm lengths are drawn as 0.";
-  if (!breakdowns.empty()) figure.caption += " From the crosses on a surface is no face any more.";
+                   tickText(reference, reference) + ".";
+  if (!breakdowns.empty()) figure.caption += " From the crosses on a surface is no face any more; lines that leave a panel have passed its scale.";
   return figure;
 }
 
