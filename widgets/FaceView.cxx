@@ -71,6 +71,12 @@ void FaceView::setMesh(Mesh mesh) {
   redraw();
 }
 
+void FaceView::showOverlay(const QObject* overlay, bool skinStays) {
+  surface_->SetVisibility(skinStays);
+  redraw();
+  emit overlayChanged(overlay);
+}
+
 void FaceView::useTheme() {
   dress();
   RenderView::useTheme();

@@ -18,7 +18,15 @@ class FaceView : public RenderView {
 
   void setMesh(Mesh mesh);
   Mesh mesh() const { return mesh_; }
+
+  /// Says who shows numbers on the face; nullptr: nobody, the plain skin again.
+  /// @param skinStays  whether the plain skin is seen below
+  void showOverlay(const QObject* overlay, bool skinStays);
+
   void useTheme() override;
+
+ signals:
+  void overlayChanged(const QObject* overlay);
 
  private:
   void addSurface();

@@ -139,6 +139,14 @@ void RenderView::fit() {
   redraw();
 }
 
+void RenderView::placeCamera(const std::array<double, 3>& focus, const std::array<double, 3>& direction, double distance) {
+  camera()->SetFocalPoint(focus.data());
+  camera()->SetPosition(focus[0] + distance * direction[0], focus[1] + distance * direction[1], focus[2] + distance * direction[2]);
+  camera()->SetViewUp(0.0, 1.0, 0.0);
+  userMoved();
+  redraw();
+}
+
 double RenderView::fittingDistance() const {
   const Outline outline = outlineFrom(side_, model_->pipeline().neutralCurves()->GetOutput());
   const double aspect = static_cast<double>(std::max(1, width())) / std::max(1, height());

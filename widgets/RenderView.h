@@ -6,6 +6,8 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
+
 class vtkCamera;
 class vtkGenericOpenGLRenderWindow;
 class vtkRenderer;
@@ -26,6 +28,8 @@ class RenderView : public QVTKOpenGLNativeWidget {
   ~RenderView() override;
 
   void look(Side side);
+  /// Looks at `focus` (mm) from the end of `direction`, a unit vector, at a distance in mm; the user's own camera from then on.
+  void placeCamera(const std::array<double, 3>& focus, const std::array<double, 3>& direction, double distance);
   void fit();  ///< the side looked from last, the whole face in the view
 
   void link(RenderView* other);  ///< turns and zooms together with the other view, to the size of each

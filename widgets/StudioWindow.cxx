@@ -6,6 +6,7 @@
 #include "ExpressionPanel.h"
 #include "FAPPanel.h"
 #include "FaceModel.h"
+#include "LaboratoryDocks.h"
 #include "MessageBar.h"
 #include "SurfacePanel.h"
 #include "Theme.h"
@@ -44,7 +45,7 @@ QString droppedFile(const QMimeData* data) {
 
 StudioWindow::StudioWindow()
     : model_(new FaceModel(this)), player_(new AnimationPlayer(model_, this)), face_(new FaceView(model_)),
-      curves_(new CurveView(model_)), messages_(new MessageBar) {
+      curves_(new CurveView(model_)), messages_(new MessageBar), laboratory_(new LaboratoryDocks(model_, face_, this)) {
   setObjectName("studioWindow");
   setWindowTitle(tr("Mien Studio"));
   setAcceptDrops(true);
@@ -89,6 +90,7 @@ QWidget* StudioWindow::views() {
 QWidget* StudioWindow::faceFrame() {
   auto* frame = new ViewFrame(tr("Face"), face_, this);
   addMeshButtons(frame);
+  laboratory_->addSkinButton(frame);
   frame->addGap();
   addSideButtons(frame);
   return frame;

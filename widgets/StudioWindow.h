@@ -9,6 +9,7 @@ namespace mien {
 class AnimationPlayer;
 class CurveView;
 class FaceModel;
+class LaboratoryDocks;
 class MessageBar;
 class ViewFrame;
 
@@ -55,6 +56,7 @@ class StudioWindow : public QMainWindow {
   FaceView* face_;
   CurveView* curves_;
   MessageBar* messages_;
+  LaboratoryDocks* laboratory_;
 };
 
 }  // namespace mien

@@ -7,11 +7,14 @@
 #include "Theme.h"
 
 #include <QAction>
+#include <QAbstractButton>
 #include <QApplication>
+#include <QComboBox>
 #include <QElapsedTimer>
 #include <QImage>
 #include <QSurfaceFormat>
 #include <QTabWidget>
+#include <QTableWidget>
 #include <QTextStream>
 #include <QToolButton>
 
@@ -58,6 +61,16 @@ QImage coarse(QImage picture) {
 
 void click(QWidget& window, const char* name) { window.findChild<QToolButton*>(name)->click(); }
 
+void showDock(QWidget& window, const QString& name) {
+  window.findChild<QAction*>(name + "Action")->trigger();
+  wait(1500);  // some docks compute in the background
+}
+
+void press(QWidget& window, const QString& name) {
+  window.findChild<QAbstractButton*>(name)->click();
+  wait(1500);
+}
+
 void apply(mien::StudioWindow& window, const QString& setting) {
   const QString key = setting.section('=', 0, 0), value = setting.section('=', 1);
   mien::FaceModel& model = window.model();
@@ -74,6 +87,10 @@ void apply(mien::StudioWindow& window, const QString& setting) {
       state.fapValues[value.section(':', 0, 0).toInt()] = value.section(':', 1).toDouble();
     });
   if (key == "a") model.change([&](mien::FaceState& state) { state.surface.smoothing.fill(value.toDouble()); });
+  if (key == "dock") showDock(window, value);
+  if (key == "press") press(window, value);
+  if (key == "row") window.findChild<QTableWidget*>("continuityTable")->selectRow(value.toInt());
+  if (key == "choose") window.findChild<QComboBox*>(value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
   if (key == "measure") measure(window);
   if (key == "file") window.openAnimation(value);
   if (key == "frame") model.showFrame(value.toInt());

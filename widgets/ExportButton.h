@@ -1,0 +1,37 @@
+#pragma once
+
+#include "Figure.h"
+
+#include <QString>
+#include <QToolButton>
+
+#include <functional>
+#include <string>
+
+namespace mien {
+
+class FaceModel;
+
+/// A small menu that writes what a dock shows: its figure as SVG, PDF or PNG, its numbers as CSV.
+class ExportButton : public QToolButton {
+  Q_OBJECT
+ public:
+  /// @param figure   with title, caption and note, asked for when it is written
+  /// @param numbers  text of a CSV file
+  ExportButton(const QString& objectName, FaceModel* model, std::function<Figure()> figure, std::function<std::string()> numbers,
+               QWidget* parent = nullptr);
+
+  /// The ending decides on the format. The message bar says what went wrong. @return whether it was written
+  bool write(const QString& fileName);
+
+ private:
+  void ask(const QString& ending, const QString& description);
+  std::string writeFigure(const std::string& fileName) const;
+  std::string writeNumbers(const QString& fileName) const;
+
+  FaceModel* model_;
+  std::function<Figure()> figure_;
+  std::function<std::string()> numbers_;
+};
+
+}  // namespace mien

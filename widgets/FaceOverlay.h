@@ -1,0 +1,63 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include <vtkNew.h>
+
+class vtkActor;
+class vtkLookupTable;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkScalarBarActor;
+
+namespace mien {
+
+class FaceView;
+
+/// Numbers on the face in place of its plain skin, with their scale. The face shows one overlay at a time: when another
+/// is shown, or the skin again, this one hides itself.
+class FaceOverlay : public QObject {
+  Q_OBJECT
+ public:
+  enum class Colors {
+    Sequential,  ///< from 0 up
+    Diverging    ///< both signs, 0 in the middle
+  };
+
+  /// How numbers become colours. Ranges are given, never taken from the data by themselves.
+  struct Scale {
+    QString title;  ///< with unit
+    double begin = 0.0, end = 1.0;
+    Colors colors = Colors::Sequential;
+  };
+
+  FaceOverlay(FaceView* view, QObject* parent);
+  ~FaceOverlay() override;
+
+  void showSurface(vtkPolyData* surface, const char* array, const Scale& scale);  ///< coloured by a point array
+  void showZebra(vtkPolyData* surface);  ///< light and dark bands of one direction of its normals, drawn per pixel
+  void showLines(vtkPolyData* lines, const char* array, const Scale& scale);  ///< on the skin, coloured by a point array
+  void hide();
+
+  bool isShown() const { return shown_; }
+  void useTheme();
+
+ signals:
+  void shownChanged(bool shown);
+
+ private:
+  void show(vtkActor* actor, bool withSkin, bool withScale);
+  void color(vtkPolyDataMapper* mapper, const char* array, const Scale& scale);
+  void addZebraShader();
+  void remove();
+
+  FaceView* view_;
+  vtkNew<vtkLookupTable> colors_;
+  vtkNew<vtkPolyDataMapper> surfaceMapper_, zebraMapper_, lineMapper_;
+  vtkNew<vtkActor> surface_, zebra_, lines_;
+  vtkNew<vtkScalarBarActor> bar_;
+  bool shown_ = false;
+};
+
+}  // namespace mien

@@ -1,0 +1,145 @@
+#include "FigureView.h"
+
+#include "Theme.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+
+namespace {
+
+constexpr double millimetresPerPixel = 25.4 / 96.0 / 1.25;  // type of 7 pt is as large as the interface's own
+constexpr double unitsPerPixel = millimetresPerPixel * figureUnitsPerMillimetre;
+constexpr double handle = 5.0;  // pixels
+constexpr int pageSteps = 5, allSteps = 1000;
+
+FigureTheme screenTheme() {
+  const Theme& theme = Theme::current();
+  FigureTheme colors = *FigureTheme::find(theme.kind == Theme::Kind::Dark ? "dark" : "light");
+  colors.background = theme.panel;
+  return colors;
+}
+
+double valueAt(const AxisScale& scale, double fraction) {
+  const double t = std::clamp(fraction, 0.0, 1.0);
+  if (scale.logarithmic()) return scale.begin() * std::pow(scale.end() / scale.begin(), t);
+  return scale.begin() + t * (scale.end() - scale.begin());
+}
+
+}  // namespace
+
+FigureView::FigureView(const QString& objectName, Marker marker, QWidget* parent) : QWidget(parent), marker_(marker) {
+  setObjectName(objectName);
+  setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+FigureView::~FigureView() = default;
+
+void FigureView::setFigure(const Figure& figure) {
+  figure_ = figure;
+  layOut();
+}
+
+void FigureView::setHint(const QString& hint) {
+  hint_ = hint;
+  update();
+}
+
+void FigureView::setMarked(std::optional<double> x) {
+  marked_ = x;
+  update();
+}
+
+void FigureView::layOut() {
+  painter_.reset();
+  if (!figure_.panels.empty())
+    painter_ = std::make_unique<FigurePainter>(figure_, screenTheme(), width() * millimetresPerPixel, height() * millimetresPerPixel);
+  update();
+}
+
+QPointF FigureView::pixelOf(int panel, double x, double y) const {
+  return painter_ ? painter_->panels().at(panel).position(x, y) / unitsPerPixel : QPointF();
+}
+
+void FigureView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), Theme::current().panel);
+  if (!painter_) {
+    painter.setPen(Theme::current().faintText);
+    painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap, hint_);
+    return;
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.scale(1.0 / unitsPerPixel, 1.0 / unitsPerPixel);
+  painter_->paint(painter);
+  if (!marked_) return;
+  for (const ChartPainter& panel : painter_->panels()) paintMarker(painter, panel);
+}
+
+void FigureView::paintMarker(QPainter& painter, const ChartPainter& panel) const {
+  const QRectF& plot = panel.plot();
+  QColor color = Theme::current().accent;
+  if (marker_ == Marker::Band) {
+    color.setAlpha(hasFocus() ? 70 : 45);
+    const double left = panel.position(*marked_ - 0.5, 0).x(), right = panel.position(*marked_ + 0.5, 0).x();
+    painter.fillRect(QRectF(left, plot.top(), right - left, plot.height()), color);
+    return;
+  }
+  const double x = panel.position(*marked_, 1.0).x();
+  painter.setPen(QPen(color, (hasFocus() ? 2.0 : 1.4) * unitsPerPixel));
+  painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+  painter.setBrush(color);
+  painter.drawEllipse(QPointF(x, plot.top()), handle * unitsPerPixel, handle * unitsPerPixel);
+}
+
+void FigureView::resizeEvent(QResizeEvent*) { layOut(); }
+
+void FigureView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) layOut();
+  QWidget::changeEvent(event);
+}
+
+/// The panel is that above or below the pointer; beyond the ends of an axis its ends are picked.
+void FigureView::pickAt(const QPointF& pixel) {
+  if (!painter_) return;
+  const QPointF at = pixel * unitsPerPixel;
+  const ChartPainter* nearest = nullptr;
+  double least = 1e300;
+  for (const ChartPainter& panel : painter_->panels()) {
+    const QRectF& plot = panel.plot();
+    const double dx = std::max({plot.left() - at.x(), at.x() - plot.right(), 0.0});
+    const double dy = std::max({plot.top() - at.y(), at.y() - plot.bottom(), 0.0});
+    if (dx + dy >= least) continue;
+    least = dx + dy;
+    nearest = &panel;
+  }
+  emit picked(valueAt(nearest->xScale(), (at.x() - nearest->plot().left()) / nearest->plot().width()));
+}
+
+void FigureView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) pickAt(event->pos());
+}
+
+void FigureView::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() & Qt::LeftButton) pickAt(event->pos());
+}
+
+void FigureView::keyPressEvent(QKeyEvent* event) {
+  switch (event->key()) {
+    case Qt::Key_Left: case Qt::Key_Down: return emit stepped(-1);
+    case Qt::Key_Right: case Qt::Key_Up: return emit stepped(1);
+    case Qt::Key_PageDown: return emit stepped(-pageSteps);
+    case Qt::Key_PageUp: return emit stepped(pageSteps);
+    case Qt::Key_Home: return emit stepped(-allSteps);
+    case Qt::Key_End: return emit stepped(allSteps);
+    default: QWidget::keyPressEvent(event);
+  }
+}
+
+}  // namespace mien
