@@ -65,6 +65,7 @@ void ReportOptions::check() const {
   known.insert(known.end(), FigureFile::endings().begin(), FigureFile::endings().end());
   known.insert(known.end(), otherEndings_.begin(), otherEndings_.end());
   for (const std::string& name : outputs_) requireEnding(name, known);
+  for (const std::string& name : outputs_) const OutputFile writable(name);  // known before a long computation, not after
   if (!FigureTheme::find(theme_)) throw ValueFailure("--theme '" + theme_ + "' is unknown; the known ones are " + themeNames());
   requireRange("--width", width(), leastWidth, mostWidth);
   requireRange("--dpi", dotsPerInch(), FigureFile::leastDotsPerInch, FigureFile::mostDotsPerInch);
@@ -80,7 +81,6 @@ std::vector<std::string> ReportOptions::outputs(const std::string& ending) const
 void ReportOptions::writeFigure(const Figure& figure, const std::string& name, const std::string& command) const {
   const FigureApplication application;
   const FigurePainter painter(figure, *FigureTheme::find(theme_), width());
-  const OutputFile checked(name);  // says precisely what is wrong with the folder
   FigureFile file(name);
   file.setDotsPerInch(dotsPerInch());
   file.setTitle(figure.title);

@@ -54,6 +54,8 @@ bool headerIsCredible(const std::string& file)
   std::ifstream stream(file, std::ios::binary);
   stream.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(stream.gcount()));
+  if (endingOf(file) == ".ply" && start.find("end_header") == std::string::npos)
+    return false; // OpenMesh would look for the end for more than a minute
   return !promisesTooMuch(start, endingOf(file), vtksys::SystemTools::FileLength(file));
 }
 
@@ -95,7 +97,7 @@ std::string readScanFile(const std::string& file, TriangleMesh& mesh)
   if (!isKnownFormat(endingOf(file)))
     return "the ending is none of .ply, .obj, .stl and .off; convert the scan to one of them";
   if (!headerIsCredible(file))
-    return "the header promises more vertices or faces than the file holds; it is damaged, export the scan again";
+    return "the header has no end or promises more vertices or faces than the file holds; the file is damaged, export the scan again";
   ScanMesh scan;
   if (!readThroughOpenMesh(file, scan))
     return "the file cannot be read as the mesh its ending promises; export the scan again";

@@ -1,0 +1,73 @@
+#include "Program.h"
+
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkXMLPolyDataReader.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+using nlohmann::json;
+
+std::string surface(const TemporaryFolder& folder, const std::string& name, const std::string& scheme = "spline") {
+  EXPECT_EQ(runMien({"surface", "--scheme", scheme, "-o", folder.file(name)}).exitCode, 0);
+  return folder.file(name);
+}
+
+json comparison(const std::string& a, const std::string& b) {
+  const Outcome outcome = runMien({"compare", a, b, "--json"});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  return json::parse(outcome.output, nullptr, false);
+}
+
+TEST(CompareCommand, TheSameSurfaceInEveryFormatHasNoDistance) {
+  const TemporaryFolder folder;
+  const std::string grid = surface(folder, "a.vts");
+  for (const char* const name : {"b.vtp", "b.ply", "b.obj", "b.stl"}) {
+    const json result = comparison(grid, surface(folder, name));
+    for (const char* const way : {"a_to_b", "b_to_a"}) {
+      EXPECT_LT(result[way]["rms_mm"], 1e-3) << name;  // text and single precision
+      EXPECT_LT(result[way]["max_mm"], 1e-2) << name;
+    }
+  }
+}
+
+TEST(CompareCommand, WaysAreExchangedWithTheSurfaces) {
+  const TemporaryFolder folder;
+  const std::string a = surface(folder, "a.vts"), b = surface(folder, "b.ply", "four-curve");
+  const json forth = comparison(a, b), back = comparison(b, a);
+  EXPECT_GT(forth["a_to_b"]["rms_mm"], 0.05);
+  EXPECT_NEAR(forth["a_to_b"]["rms_mm"].get<double>(), back["b_to_a"]["rms_mm"].get<double>(), 1e-9);
+  EXPECT_NEAR(forth["b_to_a"]["max_mm"].get<double>(), back["a_to_b"]["max_mm"].get<double>(), 1e-9);
+}
+
+TEST(CompareCommand, TheFirstSurfaceIsWrittenWithItsDistances) {
+  const TemporaryFolder folder;
+  const std::string a = surface(folder, "a.vts"), b = surface(folder, "b.ply", "four-curve");
+  ASSERT_EQ(runMien({"compare", a, b, "-o", folder.file("d.vtp"), "-o", folder.file("d.svg")}).exitCode, 0);
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(folder.file("d.vtp").c_str());
+  reader->Update();
+  vtkDataArray* distances = reader->GetOutput()->GetPointData()->GetArray("Distance");
+  ASSERT_NE(distances, nullptr);
+  EXPECT_NEAR(distances->GetRange()[1], comparison(a, b)["a_to_b"]["max_mm"].get<double>(), 1e-9);
+  EXPECT_NE(readTextFile(folder.file("d.svg")).find("a.vts to b.ply"), std::string::npos);
+}
+
+TEST(CompareCommand, WhatIsNoSurfaceIsRefused) {
+  const TemporaryFolder folder;
+  const std::string a = surface(folder, "a.vtp");
+  writeTextFile(folder.file("bad.ply"), "ply\nformat ascii 1.0\nelement vertex 3\n");
+  writeTextFile(folder.file("bad.vts"), "<VTKFile");
+  EXPECT_EQ(runMien({"compare", a, folder.file("bad.ply")}).exitCode, 1);
+  EXPECT_EQ(runMien({"compare", a, folder.file("bad.vts")}).exitCode, 1);
+  EXPECT_EQ(runMien({"compare", a, folder.file("missing.obj")}).exitCode, 1);
+  EXPECT_EQ(runMien({"compare", a, folder.file("a.txt")}).exitCode, 2);
+  EXPECT_EQ(runMien({"compare", a}).exitCode, 2);
+}
+
+}  // namespace

@@ -1,0 +1,28 @@
+#include "SpectrumFigure.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+const std::vector<mien::ModeMeasures> modes = {{"0", 3.0, 4.0, 0.9, 1.0}, {"1", 1.0, 2.0, 0.1, 0.2}, {"remainder", 0.2, 0.3, 0.0, 0.0}};
+
+TEST(SpectrumFigure, OneSchemeIsDrawnAsBarsOfItsMeasures) {
+  const mien::Figure figure = mien::spectrumFigure({{"spline", modes}}, 0.1);
+  ASSERT_EQ(figure.panels.size(), 3u);
+  EXPECT_EQ(figure.panels[0].series[0].kind, mien::ChartSeries::Kind::Bars);
+  EXPECT_EQ(figure.panels[0].series[0].y, (std::vector<double>{3.0, 1.0, 0.2}));
+  EXPECT_EQ(figure.panels[2].series[0].y, (std::vector<double>{1.0, 0.2}));  // with the remainder nothing is missing
+  ASSERT_EQ(figure.panels[2].marks.size(), 1u);
+  EXPECT_EQ(figure.panels[2].marks[0].value, 0.1);
+}
+
+TEST(SpectrumFigure, SeveralSchemesDifferInMoreThanColour) {
+  const mien::Figure figure = mien::spectrumFigure({{"four-curve", modes}, {"spline", modes}}, {});
+  for (const mien::Chart& panel : figure.panels)
+    for (const mien::ChartSeries& series : panel.series) EXPECT_EQ(series.kind, mien::ChartSeries::Kind::Samples);
+  EXPECT_NE(figure.panels[0].series[0].style, figure.panels[0].series[1].style);
+}
+
+TEST(SpectrumFigure, NothingIsNoFigure) { EXPECT_TRUE(mien::spectrumFigure({}, {}).panels.empty()); }
+
+}  // namespace

@@ -1,0 +1,54 @@
+#include "SweepFigure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace {
+
+mien::SweepRecord record(const std::string& scheme, double a, double value) {
+  mien::SweepRecord result;
+  result.scheme = scheme;
+  result.smoothing = a;
+  result.values.assign(mien::sweepMeasureNames().size(), value);
+  return result;
+}
+
+const mien::Chart* panel(const mien::Figure& figure, const std::string& title) {
+  for (const mien::Chart& chart : figure.panels)
+    if (chart.y.title == title) return &chart;
+  return nullptr;
+}
+
+TEST(SweepFigure, AxesEndNearTheLastSurfaceThatIsAFace) {
+  const mien::Figure figure =
+      mien::sweepFigure({record("four-curve", 1.0, 2.0), record("four-curve", 2.0, 3.0), record("four-curve", 10.0, 1e20)},
+                        {{"four-curve", 2.0}}, 1.0);
+  const mien::Chart* chart = panel(figure, "Lebesgue constant");
+  ASSERT_NE(chart, nullptr);
+  EXPECT_LE(*chart->y.end, 1001.0);
+  EXPECT_EQ(chart->series[0].y.back(), 1e20);  // the data themselves are complete
+  EXPECT_EQ(*chart->series[0].breakdown, 2.0);
+}
+
+TEST(SweepFigure, ValuesOfAAreDrawnInTheirOrder) {
+  const mien::Figure figure = mien::sweepFigure({record("spline", 5.0, 1.0), record("spline", 1.0, 2.0)}, {}, 1.0);
+  EXPECT_EQ(figure.panels[0].series[0].x, (std::vector<double>{1.0, 5.0}));
+}
+
+TEST(SweepFigure, AMeasureWithoutValuesHasNoPanel) {
+  mien::SweepRecord sample = record("spline", 1.0, 2.0);
+  sample.values[mien::sweepMeasure("distance_rms_mm")] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(panel(mien::sweepFigure({sample}, {}, 1.0), "RMS to reference"), nullptr);
+  EXPECT_NE(panel(mien::sweepFigure({sample}, {}, 1.0), "Area"), nullptr);
+}
+
+TEST(SweepFigure, ASchemeLooksTheSameWhateverIsBesideIt) {
+  const int alone = mien::sweepFigure({record("spline", 1.0, 2.0)}, {}, 1.0).panels[0].series[0].style;
+  const mien::Figure both = mien::sweepFigure({record("tangent", 1.0, 2.0), record("spline", 1.0, 2.0)}, {}, 1.0);
+  EXPECT_EQ(both.panels[0].series[1].style, alone);
+  EXPECT_NE(both.panels[0].series[0].style, alone);
+}
+
+}  // namespace
