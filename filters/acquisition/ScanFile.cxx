@@ -47,7 +47,8 @@ bool isKnownFormat(const std::string& ending)
   return ending == ".ply" || ending == ".obj" || ending == ".stl" || ending == ".off";
 }
 
-bool headerIsCredible(const std::string& file)
+/// One sentence that says why the beginning of a file cannot be believed, or nothing.
+std::string describeHeaderFault(const std::string& file)
 {
   constexpr std::size_t longestHeader = 1 << 16;
   std::string start(longestHeader, '\0');
@@ -55,8 +56,10 @@ bool headerIsCredible(const std::string& file)
   stream.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(stream.gcount()));
   if (endingOf(file) == ".ply" && start.find("end_header") == std::string::npos)
-    return false; // OpenMesh would look for the end for more than a minute
-  return !promisesTooMuch(start, endingOf(file), vtksys::SystemTools::FileLength(file));
+    return "the header has no end; the file is damaged, export the scan again"; // OpenMesh would search for minutes
+  if (promisesTooMuch(start, endingOf(file), vtksys::SystemTools::FileLength(file)))
+    return "the header promises more vertices or faces than the file holds; it is damaged, export the scan again";
+  return {};
 }
 
 TriangleMesh toTriangleMesh(const ScanMesh& scan)
@@ -96,8 +99,9 @@ std::string readScanFile(const std::string& file, TriangleMesh& mesh)
     return "there is no such file; give a scan of a head";
   if (!isKnownFormat(endingOf(file)))
     return "the ending is none of .ply, .obj, .stl and .off; convert the scan to one of them";
-  if (!headerIsCredible(file))
-    return "the header has no end or promises more vertices or faces than the file holds; the file is damaged, export the scan again";
+  const std::string headerFault = describeHeaderFault(file);
+  if (!headerFault.empty())
+    return headerFault;
   ScanMesh scan;
   if (!readThroughOpenMesh(file, scan))
     return "the file cannot be read as the mesh its ending promises; export the scan again";
