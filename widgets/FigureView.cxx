@@ -92,6 +92,7 @@ void FigureView::paintMarker(QPainter& painter, const ChartPainter& panel) const
     return;
   }
   const double x = panel.position(*marked_, 1.0).x();
+  if (x < plot.left() - 1.0 || x > plot.right() + 1.0) return;
   painter.setPen(QPen(color, (hasFocus() ? 2.0 : 1.4) * unitsPerPixel));
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
   painter.setBrush(color);

@@ -2,6 +2,7 @@
 
 #include "ContinuityPanel.h"
 #include "FaceView.h"
+#include "SmoothingPanel.h"
 #include "SpectrumPanel.h"
 #include "ViewFrame.h"
 
@@ -22,6 +23,7 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, FaceView* view, QMainWindow* 
     : QObject(window), view_(view), window_(window) {
   window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
+  add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
 }
 

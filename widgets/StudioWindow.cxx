@@ -12,6 +12,7 @@
 #include "Theme.h"
 #include "TimelinePanel.h"
 #include "ViewFrame.h"
+#include "WindowLayout.h"
 
 #include <QAction>
 #include <QApplication>
@@ -58,6 +59,7 @@ StudioWindow::StudioWindow()
   connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
   connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
   resize(startWidth, startHeight);
+  WindowLayout::restore(*this);
 }
 
 StudioWindow::~StudioWindow() = default;
@@ -251,6 +253,7 @@ void StudioWindow::dropEvent(QDropEvent* event) {
 
 void StudioWindow::closeEvent(QCloseEvent* event) {
   player_->pause();
+  WindowLayout::save(*this);
   QMainWindow::closeEvent(event);
 }
 

@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
   QApplication application(argc, argv);
+  QApplication::setOrganizationName("mien");
   QApplication::setApplicationName("mien-studio");
   QApplication::setApplicationDisplayName("Mien Studio");
   QApplication::setApplicationVersion(MIEN_VERSION);
