@@ -13,6 +13,9 @@ namespace {
 constexpr int maximumSweeps = 20000;
 constexpr double precision = 1e-13;  ///< on weights: far below the 1e-9 mm asked of feature points
 constexpr double acceptable = 1e-11;
+/// A profile that ends at a sample is 0 there up to rounding. Taken for a weight, that sample would join the change on one side
+/// of the face and not on the other.
+constexpr double negligible = 1e-9;
 
 /// The inverse of D^T D on the samples where the profile is not 0, with D the second differences of a change
 /// that is 0 elsewhere.
@@ -37,7 +40,8 @@ Eigen::MatrixXd smoothingOperator(const Eigen::VectorXd& weights) {
 }  // namespace
 
 int StaggeredWeights::add(const Eigen::VectorXd& weights, const Eigen::VectorXd& atFeature, bool parts) {
-  profiles_.push_back({weights, atFeature, smoothingOperator(weights), parts});
+  const Eigen::VectorXd clean = (weights.array().abs() > negligible).select(weights, 0.0);
+  profiles_.push_back({clean, atFeature, smoothingOperator(clean), parts});
   if (parts && columns_.size() == 0) columns_ = fineColumns(static_cast<int>(weights.size()));
   return static_cast<int>(profiles_.size()) - 1;
 }
