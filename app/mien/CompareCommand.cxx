@@ -1,3 +1,7 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
 #include "Command.h"
 #include "DistanceFigure.h"
 #include "Failure.h"
@@ -6,18 +10,12 @@
 #include "PolyDataFile.h"
 #include "ReportOptions.h"
 #include "TableRows.h"
-
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSurfaceDistanceFilter.h"
 #include "vtkTable.h"
-
-#include <CLI/CLI.hpp>
-
-#include <filesystem>
-#include <memory>
 
 namespace mien {
 
@@ -31,7 +29,9 @@ struct Options {
   bool frontal = false, withSign = false, skin = false;
 };
 
-std::string shortName(const std::string& name) { return std::filesystem::path(name).filename().string(); }
+std::string shortName(const std::string& name) {
+  return std::filesystem::path(name).filename().string();
+}
 
 std::string direction(const Options& options, int way) {
   const std::string a = shortName(options.surface), b = shortName(options.reference);
@@ -59,8 +59,9 @@ Report reportOf(const Options& options, vtkSurfaceDistanceFilter* filter) {
     report.json[way == 0 ? "a_to_b" : "b_to_a"] = measures;
   }
   report.figure = [&options, filter] {
-    Figure figure = distanceFigure({{direction(options, 0), distances(options, filter->GetOutputDataObject(0), filter->GetFrontalThreshold())},
-                                    {direction(options, 1), distances(options, filter->GetOutputDataObject(1), filter->GetFrontalThreshold())}});
+    Figure figure = distanceFigure(
+        {{direction(options, 0), distances(options, filter->GetOutputDataObject(0), filter->GetFrontalThreshold())},
+         {direction(options, 1), distances(options, filter->GetOutputDataObject(1), filter->GetFrontalThreshold())}});
     figure.note = std::string(options.frontal ? "Points with z > 50 mm" : "All points") + "; Mien " MIEN_VERSION;
     return figure;
   };
@@ -95,10 +96,12 @@ void addCompareCommand(CLI::App& program) {
   options->report.addTo(*command);
   command->add_flag("--frontal", options->frontal, "Only points with z > 50 mm count");
   command->add_flag("--signed", options->withSign, "Distances behind the other surface are negative in the .vtp file");
-  command->add_flag("--largest-part", options->skin, "Only the largest connected part of B counts, such as skin without eyeballs");
+  command->add_flag("--largest-part", options->skin,
+                    "Only the largest connected part of B counts, such as skin without eyeballs");
   command->footer(
       "Example: mien compare face.vts scan.ply --frontal -o distance.vtp -o distance.svg\n"
-      "RMS and mean are weighted with the area around each point. The .vtp file is A with the point array Distance (mm).");
+      "RMS and mean are weighted with the area around each point. The .vtp file is A with the point array Distance "
+      "(mm).");
   command->callback([options] { run(*options); });
 }
 

@@ -1,3 +1,7 @@
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+
 #include "Command.h"
 #include "ContinuityFigure.h"
 #include "Failure.h"
@@ -6,7 +10,6 @@
 #include "PolyDataFile.h"
 #include "ReportOptions.h"
 #include "TableRows.h"
-
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
@@ -17,11 +20,6 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
-
-#include <CLI/CLI.hpp>
-
-#include <map>
-#include <memory>
 
 namespace mien {
 
@@ -158,13 +156,16 @@ void addContinuityCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("continuity", "Measure how smoothly the patches of a face meet");
   options->report.addTo(*command);
   command->add_option("--samples", options->samples, "Per seam")->capture_default_str()->check(CLI::Range(3, 20000));
-  command->add_option("--measure", options->measure, "In the chart: g0, g1, c1, g2, c2")->capture_default_str()
+  command->add_option("--measure", options->measure, "In the chart: g0, g1, c1, g2, c2")
+      ->capture_default_str()
       ->check(CLI::IsMember(measures));
   options->face.addTo(*command);
   command->footer(
       "Example: mien continuity --scheme all -o seams.csv -o seams.svg\n"
-      "Gap G0 (mm), angle between normals G1 (degrees), jump of S_u relative to its mean C1, jump of the curvature across the\n"
-      "seam G2 (1/mm), jump of S_uu relative to its mean C2, measured from both sides; frontal: z > 50 mm. A .vtp file has\n"
+      "Gap G0 (mm), angle between normals G1 (degrees), jump of S_u relative to its mean C1, jump of the curvature "
+      "across the\n"
+      "seam G2 (1/mm), jump of S_uu relative to its mean C2, measured from both sides; frontal: z > 50 mm. A .vtp file "
+      "has\n"
       "the seams as lines with these as point arrays.");
   command->callback([options] { run(*options); });
 }

@@ -1,23 +1,21 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <memory>
+
 #include "Arguments.h"
 #include "Command.h"
-#include "Failure.h"
 #include "FaceLayout.h"
+#include "Failure.h"
 #include "InfluenceFigure.h"
 #include "MeasuredFace.h"
 #include "PipelineErrors.h"
 #include "ReportOptions.h"
 #include "SurfaceFile.h"
 #include "TableRows.h"
-
 #include "vtkNew.h"
 #include "vtkPDEInfluenceFilter.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTable.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cmath>
-#include <memory>
 
 namespace mien {
 
@@ -31,15 +29,20 @@ struct Options {
   std::string curve = "C10", point, direction = "0,0,1";
 };
 
-json finite(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+json finite(double value) {
+  return std::isfinite(value) ? json(value) : json(nullptr);
+}
 
 void setOptions(const Options& options, vtkPDEInfluenceFilter* filter) {
   const std::vector<std::string> parts = splitText(options.direction, ',');
-  if (parts.size() != 3) throw ValueFailure("--direction '" + options.direction + "' is no vector; write three numbers as 0,0,1");
-  filter->SetDirection(parseNumber("--direction", parts[0]), parseNumber("--direction", parts[1]), parseNumber("--direction", parts[2]));
+  if (parts.size() != 3)
+    throw ValueFailure("--direction '" + options.direction + "' is no vector; write three numbers as 0,0,1");
+  filter->SetDirection(parseNumber("--direction", parts[0]), parseNumber("--direction", parts[1]),
+                       parseNumber("--direction", parts[2]));
   filter->SetCurve(options.curve);
   if (!options.point.empty()) filter->SetPoint(parseWholeNumber("--point", options.point));
-  if (!options.point.empty() && filter->GetPoint() < 0) throw ValueFailure("--point " + options.point + " is none; points count from 0");
+  if (!options.point.empty() && filter->GetPoint() < 0)
+    throw ValueFailure("--point " + options.point + " is none; points count from 0");
   filter->SetResolution(options.face.state().rows, options.face.state().columns);
 }
 
@@ -51,7 +54,8 @@ std::string movement(const Options& options) {
 /// Position of the moved curve, 1 at C1.
 double movedPosition(const std::string& curve) {
   for (int index = 0; index < FaceLayout::curveCount; ++index)
-    if (FaceLayout::curveName(index) == curve) return index < FaceLayout::lowerLip ? index + 1.0 : static_cast<double>(index);
+    if (FaceLayout::curveName(index) == curve)
+      return index < FaceLayout::lowerLip ? index + 1.0 : static_cast<double>(index);
   return 1.0;
 }
 
@@ -108,15 +112,18 @@ void run(Options& options) {
 void addInfluenceCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   options->face.setDefaultResolution(164, 80);  // six rows between curves: the profile is smooth
-  CLI::App* command = program.add_subcommand("influence", "Measure how the effect of one curve's move fades over a face");
+  CLI::App* command =
+      program.add_subcommand("influence", "Measure how the effect of one curve's move fades over a face");
   options->report.addTo(*command);
-  command->add_option("--curve", options->curve, "The curve that moves: C1 .. C22, C22', C23 .. C28")->capture_default_str();
+  command->add_option("--curve", options->curve, "The curve that moves: C1 .. C22, C22', C23 .. C28")
+      ->capture_default_str();
   command->add_option("--point", options->point, "The one point of it that moves, from 0 [the whole curve]");
   command->add_option("--direction", options->direction, "Where to, x,y,z")->capture_default_str();
   options->face.addTo(*command);
   command->footer(
       "Example: mien influence --curve C10 --scheme all -o influence.svg\n"
-      "The largest move of each row of the surface per mm, and how many curves away it has fallen to half (half-width). A .vts\n"
+      "The largest move of each row of the surface per mm, and how many curves away it has fallen to half "
+      "(half-width). A .vts\n"
       "file is the face with the point array Influence (mm per mm).");
   command->callback([options] { run(*options); });
 }

@@ -1,17 +1,15 @@
 #include "MeasuredFace.h"
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
 #include "Arguments.h"
 #include "CsvText.h"
 #include "FacePipeline.h"
 #include "FaceScheme.h"
 #include "Failure.h"
 #include "Remarks.h"
-
 #include "vtkPDEFaceAlgorithm.h"
-
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
 
 namespace mien {
 
@@ -67,7 +65,9 @@ void MeasuredFace::update() {
   printRemarks(*pipeline_);
 }
 
-const FaceState& MeasuredFace::state() const { return pipeline_->state(); }
+const FaceState& MeasuredFace::state() const {
+  return pipeline_->state();
+}
 
 void MeasuredFace::connect(vtkPDEFaceAlgorithm* filter, const std::string& scheme) const {
   const FaceSurfaceOptions& surface = state().surface;
@@ -105,7 +105,8 @@ std::string MeasuredFace::note(bool withSmoothing) const {
   }
   text += "; N = " + std::to_string(surface.modes) + (surface.remainder ? " with remainder" : " without remainder");
   if (!state().fapFile.empty()) text += "; " + state().fapFile;
-  if (!state().expression.empty()) text += "; " + state().expression + " at " + shortestText(state().expressionIntensity);
+  if (!state().expression.empty())
+    text += "; " + state().expression + " at " + shortestText(state().expressionIntensity);
   return text + "; Mien " MIEN_VERSION;
 }
 

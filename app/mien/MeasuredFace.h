@@ -1,13 +1,12 @@
 #pragma once
 
-#include "FaceOptions.h"
-#include "FaceState.h"
-
-#include <nlohmann/json.hpp>
-
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "FaceOptions.h"
+#include "FaceState.h"
 
 namespace CLI {
 class App;

@@ -1,9 +1,11 @@
 #include "MeshFile.h"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
-
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -11,9 +13,6 @@
 #include "vtkStructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLStructuredGridReader.h"
-
-#include <algorithm>
-#include <filesystem>
 
 namespace mien {
 
@@ -38,7 +37,8 @@ vtkSmartPointer<vtkDataObject> readMesh(const std::string& name) {
   const std::string ending = fileEnding(name);
   const bool isScan = std::find(scans.begin(), scans.end(), ending) != scans.end();
   if (!isScan && ending != "vts" && ending != "vtp")
-    throw ValueFailure("surface '" + name + "' has an unknown ending; the known ones are .vts .vtp .ply .obj .stl .off");
+    throw ValueFailure("surface '" + name +
+                       "' has an unknown ending; the known ones are .vts .vtp .ply .obj .stl .off");
   std::error_code error;
   if (!std::filesystem::is_regular_file(name, error))
     throw FileFailure(name + ": there is no such file; give a surface as .vts .vtp .ply .obj .stl .off");

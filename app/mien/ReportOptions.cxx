@@ -1,5 +1,10 @@
 #include "ReportOptions.h"
 
+#include <CLI/CLI.hpp>
+#include <QPainter>
+#include <algorithm>
+#include <iostream>
+
 #include "Arguments.h"
 #include "Failure.h"
 #include "FigureApplication.h"
@@ -7,13 +12,6 @@
 #include "FigurePainter.h"
 #include "OutputFile.h"
 #include "TableRows.h"
-
-#include <CLI/CLI.hpp>
-
-#include <QPainter>
-
-#include <algorithm>
-#include <iostream>
 
 namespace mien {
 
@@ -51,22 +49,30 @@ void ReportOptions::addTo(CLI::App& command) {
   command.add_option("-o,--output", outputs_,
                      "Files to write, once for each: the table as .csv, the chart as .svg .pdf .png" +
                          (otherEndings_.empty() ? std::string() : ";" + list(otherEndings_)));
-  command.add_option("--width", width_, "Of the chart, mm: 85 for one column, 170 for two")->capture_default_str()->group("Chart");
+  command.add_option("--width", width_, "Of the chart, mm: 85 for one column, 170 for two")
+      ->capture_default_str()
+      ->group("Chart");
   command.add_option("--theme", theme_, "Of the chart: " + themeNames())->capture_default_str()->group("Chart");
   command.add_option("--dpi", dotsPerInch_, "Dots per inch of .png charts")->capture_default_str()->group("Chart");
 }
 
-double ReportOptions::width() const { return parseNumber("--width", width_); }
+double ReportOptions::width() const {
+  return parseNumber("--width", width_);
+}
 
-double ReportOptions::dotsPerInch() const { return parseNumber("--dpi", dotsPerInch_); }
+double ReportOptions::dotsPerInch() const {
+  return parseNumber("--dpi", dotsPerInch_);
+}
 
 void ReportOptions::check() const {
   std::vector<std::string> known = {"csv"};
   known.insert(known.end(), FigureFile::endings().begin(), FigureFile::endings().end());
   known.insert(known.end(), otherEndings_.begin(), otherEndings_.end());
   for (const std::string& name : outputs_) requireEnding(name, known);
-  for (const std::string& name : outputs_) const OutputFile writable(name);  // known before a long computation, not after
-  if (!FigureTheme::find(theme_)) throw ValueFailure("--theme '" + theme_ + "' is unknown; the known ones are " + themeNames());
+  for (const std::string& name : outputs_)
+    const OutputFile writable(name);  // known before a long computation, not after
+  if (!FigureTheme::find(theme_))
+    throw ValueFailure("--theme '" + theme_ + "' is unknown; the known ones are " + themeNames());
   requireRange("--width", width(), leastWidth, mostWidth);
   requireRange("--dpi", dotsPerInch(), FigureFile::leastDotsPerInch, FigureFile::mostDotsPerInch);
 }

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "Figure.h"
-
-#include <nlohmann/json.hpp>
-
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include "Figure.h"
 
 namespace CLI {
 class App;
@@ -16,11 +15,11 @@ namespace mien {
 
 /// What a measuring command has found.
 struct Report {
-  nlohmann::ordered_json json;            ///< all of it, for --json
-  nlohmann::ordered_json rows;            ///< the table, array of objects
-  nlohmann::ordered_json readable;        ///< the table for reading where it differs from `rows`
-  std::vector<std::string> remarks;       ///< sentences below the table
-  std::function<Figure()> figure;         ///< drawn only when it is asked for
+  nlohmann::ordered_json json;       ///< all of it, for --json
+  nlohmann::ordered_json rows;       ///< the table, array of objects
+  nlohmann::ordered_json readable;   ///< the table for reading where it differs from `rows`
+  std::vector<std::string> remarks;  ///< sentences below the table
+  std::function<Figure()> figure;    ///< drawn only when it is asked for
 };
 
 /// The options of commands that measure: where the table and the chart go, and how the chart looks.

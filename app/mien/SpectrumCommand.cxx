@@ -1,3 +1,6 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "Arguments.h"
 #include "Command.h"
 #include "CsvText.h"
@@ -7,14 +10,9 @@
 #include "ReportOptions.h"
 #include "SpectrumFigure.h"
 #include "TableRows.h"
-
 #include "vtkNew.h"
 #include "vtkPDEModeFilter.h"
 #include "vtkTable.h"
-
-#include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace mien {
 
@@ -65,12 +63,14 @@ ModeMeasures measuresOf(const json& row) {
   return measures;
 }
 
-void findSmallestCount(vtkPDEModeFilter* filter, const std::string& scheme, double tolerance, json& about, Report& report) {
+void findSmallestCount(vtkPDEModeFilter* filter, const std::string& scheme, double tolerance, json& about,
+                       Report& report) {
   const int count = filter->FindNumberOfModes(tolerance);
   if (count < 0) return;  // the error is among those observed
   about["tolerance_mm"] = tolerance;
   about["smallest_harmonics"] = count;
-  report.remarks.push_back(scheme + ": modes 0 .. " + std::to_string(count) + " come within " + shortestText(tolerance) +
+  report.remarks.push_back(scheme + ": modes 0 .. " + std::to_string(count) + " come within " +
+                           shortestText(tolerance) +
                            " mm RMS of the surface of all modes; smallest N = " + std::to_string(count));
 }
 
@@ -128,7 +128,8 @@ void addSpectrumCommand(CLI::App& program) {
   options->face.addTo(*command);
   command->footer(
       "Example: mien spectrum -N 12 --tolerance 0.1mm -o spectrum.pdf\n"
-      "RMS and largest length of each mode's contribution (mm), its share of the energy with the centroid removed, and the RMS\n"
+      "RMS and largest length of each mode's contribution (mm), its share of the energy with the centroid removed, and "
+      "the RMS\n"
       "of what the sum of the modes so far still lacks; the remainder is all harmonics above N together.");
   command->callback([options] { run(*options); });
 }

@@ -1,3 +1,8 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <limits>
+#include <memory>
+
 #include "Arguments.h"
 #include "Command.h"
 #include "CsvText.h"
@@ -11,17 +16,10 @@
 #include "ReportOptions.h"
 #include "SweepFigure.h"
 #include "TableRows.h"
-
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPDEParameterSweep.h"
 #include "vtkTable.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cmath>
-#include <limits>
-#include <memory>
 
 namespace mien {
 
@@ -98,10 +96,12 @@ std::map<std::string, double> describeBreakdowns(const Options& options, vtkPDEP
   for (const std::string& scheme : options.face.schemes()) {
     const double a = sweep->GetBreakdown(scheme);
     const std::string reason = sweep->GetBreakdownReason(scheme);
-    report.json["breakdowns"].push_back({{"scheme", scheme}, {"a", std::isfinite(a) ? json(a) : json(nullptr)}, {"reason", reason}});
+    report.json["breakdowns"].push_back(
+        {{"scheme", scheme}, {"a", std::isfinite(a) ? json(a) : json(nullptr)}, {"reason", reason}});
     if (std::isfinite(a)) breakdowns[scheme] = a;
-    report.remarks.push_back(scheme + ": " + (std::isfinite(a) ? "breaks down at a = " + shortestText(a) + ": " + reason
-                                                              : "holds at every a of the sweep"));
+    report.remarks.push_back(
+        scheme + ": " +
+        (std::isfinite(a) ? "breaks down at a = " + shortestText(a) + ": " + reason : "holds at every a of the sweep"));
   }
   return breakdowns;
 }
@@ -111,7 +111,8 @@ Report reportOf(const Options& options, vtkPDEParameterSweep* sweep) {
   Report report;
   report.json = options.face.description(options.face.schemes().front());
   report.json.erase("a");
-  report.json["scheme"] = options.face.schemes().size() == 1 ? json(options.face.schemes().front()) : json(options.face.schemes());
+  report.json["scheme"] =
+      options.face.schemes().size() == 1 ? json(options.face.schemes().front()) : json(options.face.schemes());
   report.json["reference_a"] = sweep->GetReferenceSmoothing();
   report.json["rows"] = state.rows;
   report.json["columns"] = state.columns;
@@ -124,7 +125,8 @@ Report reportOf(const Options& options, vtkPDEParameterSweep* sweep) {
     report.json["samples"].push_back(sampleOf(row));
   }
   const std::map<std::string, double> breakdowns = describeBreakdowns(options, sweep, report);
-  const std::string note = options.face.note(false) + "; " + std::to_string(state.rows) + " x " + std::to_string(state.columns) +
+  const std::string note = options.face.note(false) + "; " + std::to_string(state.rows) + " x " +
+                           std::to_string(state.columns) +
                            (options.scan.empty() ? "" : "; distance to " + options.scan);
   report.figure = [records, breakdowns, note, reference = sweep->GetReferenceSmoothing()] {
     Figure figure = sweepFigure(records, breakdowns, reference);
@@ -157,13 +159,17 @@ void addSweepCommand(CLI::App& program) {
   options->face.setDefaultResolution(112, 80);
   options->face.addWithoutSmoothing(*command);
   command->add_option("-a,--a,--smoothing", options->range, "Values of a: 0.5,1,2 or 0.1:100:50log or 0.1:1:10")
-      ->capture_default_str()->group("Face");
-  command->add_option("--reference-a", options->referenceSmoothing, "The a that departures are measured from")->capture_default_str();
+      ->capture_default_str()
+      ->group("Face");
+  command->add_option("--reference-a", options->referenceSmoothing, "The a that departures are measured from")
+      ->capture_default_str();
   command->add_option("--reference", options->scan, "Mesh that distances are measured to, such as a scan");
   command->footer(
       "Example: mien sweep --scheme all --a 0.1:100:50log -o sweep.csv -o sweep.svg\n"
-      "Area, departure from the surface at the reference a, miss of the curves, Lebesgue constant, largest angle at a seam,\n"
-      "folded cells, Willmore energy; crosses in the chart mark where a scheme breaks down. Ctrl-C stops without output.");
+      "Area, departure from the surface at the reference a, miss of the curves, Lebesgue constant, largest angle at a "
+      "seam,\n"
+      "folded cells, Willmore energy; crosses in the chart mark where a scheme breaks down. Ctrl-C stops without "
+      "output.");
   command->callback([options] { run(*options); });
 }
 

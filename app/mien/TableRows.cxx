@@ -1,13 +1,12 @@
 #include "TableRows.h"
 
-#include "CsvText.h"
-
-#include "vtkTable.h"
-#include "vtkVariant.h"
-
 #include <cmath>
 #include <cstdio>
 #include <vector>
+
+#include "CsvText.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 namespace mien {
 
@@ -82,7 +81,8 @@ std::string csvText(const json& rows) {
   std::string text;
   const auto appendLine = [&](const json& row, bool names) {
     std::string line;
-    for (const auto& item : row.items()) line += (line.empty() ? "" : ",") + (names ? item.key() : csvCell(item.value()));
+    for (const auto& item : row.items())
+      line += (line.empty() ? "" : ",") + (names ? item.key() : csvCell(item.value()));
     text += line + "\n";
   };
   if (!rows.empty()) appendLine(rows.front(), true);

@@ -1,13 +1,13 @@
-#include "Program.h"
+#include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
+#include "Program.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkXMLPolyDataReader.h"
-
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 namespace {
 

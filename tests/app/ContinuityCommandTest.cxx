@@ -1,14 +1,13 @@
-#include "Program.h"
+#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "Program.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkXMLPolyDataReader.h"
-
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace {
 
@@ -42,12 +41,14 @@ TEST(ContinuityCommand, TheFourCurveSchemeFolds) {
 
 TEST(ContinuityCommand, AllSchemesGoIntoOneTableAndOneFigure) {
   const TemporaryFolder folder;
-  const Outcome outcome = runMien({"continuity", "--scheme", "all", "-o", folder.file("a.csv"), "-o", folder.file("a.svg")});
+  const Outcome outcome =
+      runMien({"continuity", "--scheme", "all", "-o", folder.file("a.csv"), "-o", folder.file("a.svg")});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   const std::string table = readTextFile(folder.file("a.csv")), figure = readTextFile(folder.file("a.svg"));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 6 * 9);
   EXPECT_EQ(table.rfind("scheme,seam,g0_max_mm,", 0), 0u);
-  for (const char* const part : {"four-curve", "spline", "P6|P7", "a = 1", "N = 5"}) EXPECT_NE(figure.find(part), std::string::npos) << part;
+  for (const char* const part : {"four-curve", "spline", "P6|P7", "a = 1", "N = 5"})
+    EXPECT_NE(figure.find(part), std::string::npos) << part;
   EXPECT_EQ(figure.find("<image"), std::string::npos);
   EXPECT_EQ(entriesIn(folder.file("")), 2);
 }
@@ -65,7 +66,8 @@ TEST(ContinuityCommand, SeamsAreLinesWithTheirMeasures) {
 TEST(ContinuityCommand, WrongValuesSayWhatIsAllowed) {
   const Outcome scheme = runMien({"continuity", "--scheme", "spline,cubic"});
   EXPECT_EQ(scheme.exitCode, 2);
-  EXPECT_NE(scheme.errors.find("'cubic' is unknown; the known ones are four-curve"), std::string::npos) << scheme.errors;
+  EXPECT_NE(scheme.errors.find("'cubic' is unknown; the known ones are four-curve"), std::string::npos)
+      << scheme.errors;
   const Outcome several = runMien({"continuity", "--scheme", "all", "-o", "seams.vtp"});
   EXPECT_EQ(several.exitCode, 2);
   EXPECT_EQ(runMien({"continuity", "--width", "5"}).exitCode, 2);

@@ -1,9 +1,9 @@
-#include "Program.h"
-
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "Program.h"
 
 namespace {
 
@@ -26,7 +26,8 @@ TEST(InfluenceCommand, TheSurfaceFollowsTheCurveThatMovesAndForgetsItBeyond) {
 
 TEST(InfluenceCommand, ChartsNameTheCurveAndTheSchemes) {
   const TemporaryFolder folder;
-  const Outcome outcome = runMien({"influence", "--curve", "C22'", "--point", "3", "--scheme", "all", "-o", folder.file("a.svg")});
+  const Outcome outcome =
+      runMien({"influence", "--curve", "C22'", "--point", "3", "--scheme", "all", "-o", folder.file("a.svg")});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   const std::string figure = readTextFile(folder.file("a.svg"));
   EXPECT_NE(figure.find("point 3 of C22"), std::string::npos);
@@ -34,8 +35,11 @@ TEST(InfluenceCommand, ChartsNameTheCurveAndTheSchemes) {
 }
 
 TEST(InfluenceCommand, WrongValuesSayWhatIsAllowed) {
-  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
-           {"--curve", "C99"}, {"--point", "40"}, {"--point", "-1"}, {"--direction", "0,0,0"}, {"--direction", "1,2"}}) {
+  for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{{"--curve", "C99"},
+                                                                                       {"--point", "40"},
+                                                                                       {"--point", "-1"},
+                                                                                       {"--direction", "0,0,0"},
+                                                                                       {"--direction", "1,2"}}) {
     std::vector<std::string> arguments = {"influence"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     EXPECT_EQ(runMien(arguments).exitCode, 2) << options[1];

@@ -1,7 +1,8 @@
-#include "Program.h"
-
 #include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
+
+#include "Program.h"
 
 namespace {
 
@@ -22,7 +23,8 @@ TEST(SpectrumCommand, SharesOfTheEnergySumToOneAndTheErrorFallsToNothing) {
   double sum = 0.0;
   for (const json& mode : modes) sum += mode["energy_share"].get<double>();
   EXPECT_NEAR(sum, 1.0, 1e-12);
-  for (size_t i = 1; i < modes.size(); ++i) EXPECT_LT(modes[i]["cumulative_rms_error_mm"], modes[i - 1]["cumulative_rms_error_mm"]);
+  for (size_t i = 1; i < modes.size(); ++i)
+    EXPECT_LT(modes[i]["cumulative_rms_error_mm"], modes[i - 1]["cumulative_rms_error_mm"]);
   EXPECT_LT(modes[9]["cumulative_rms_error_mm"], 1e-9);
 }
 
@@ -37,12 +39,15 @@ TEST(SpectrumCommand, ToleranceNamesTheSmallestN) {
 
 TEST(SpectrumCommand, ChartsAndTablesSayTheScheme) {
   const TemporaryFolder folder;
-  const Outcome outcome = runMien({"spectrum", "--scheme", "tangent", "-o", folder.file("a.svg"), "-o", folder.file("a.pdf"),
-                                   "-o", folder.file("a.png"), "-o", folder.file("a.csv"), "--width", "85", "--dpi", "100"});
+  const Outcome outcome =
+      runMien({"spectrum", "--scheme", "tangent", "-o", folder.file("a.svg"), "-o", folder.file("a.pdf"), "-o",
+               folder.file("a.png"), "-o", folder.file("a.csv"), "--width", "85", "--dpi", "100"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
   EXPECT_NE(readTextFile(folder.file("a.svg")).find("tangent"), std::string::npos);
-  EXPECT_EQ(readTextFile(folder.file("a.csv")).rfind("scheme,n,rms_mm,max_mm,energy_share,cumulative_rms_error_mm\ntangent,0,", 0), 0u);
+  EXPECT_EQ(readTextFile(folder.file("a.csv"))
+                .rfind("scheme,n,rms_mm,max_mm,energy_share,cumulative_rms_error_mm\ntangent,0,", 0),
+            0u);
   EXPECT_EQ(readTextFile(folder.file("a.pdf")).substr(0, 5), "%PDF-");
 }
 

@@ -1,10 +1,10 @@
-#include "Program.h"
-#include "ReferenceData.h"
-
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "Program.h"
+#include "ReferenceData.h"
 
 namespace {
 
@@ -24,8 +24,8 @@ TEST(SweepCommand, RangesAndListsAreValuesOfA) {
   EXPECT_EQ(list[1]["a"], 0.5);
   ASSERT_EQ(range.size(), 5u);
   EXPECT_NEAR(range[2]["a"].get<double>(), 1.0, 1e-12);
-  for (const char* const key : {"area_mm2", "rms_departure_mm", "max_departure_mm", "curve_miss_rms_mm", "lebesgue", "g1_max_deg",
-                                "folded_cells", "willmore_energy"})
+  for (const char* const key : {"area_mm2", "rms_departure_mm", "max_departure_mm", "curve_miss_rms_mm", "lebesgue",
+                                "g1_max_deg", "folded_cells", "willmore_energy"})
     EXPECT_TRUE(list[0][key].is_number()) << key;
   EXPECT_TRUE(list[0]["folded_cells"].is_number_integer());
   EXPECT_EQ(list[2]["rms_departure_mm"], 0.0);
@@ -48,8 +48,8 @@ TEST(SweepCommand, OneFigureHasAllSchemesAndTheirBreakdowns) {
                                    folder.file("a.svg"), "-o", folder.file("a.csv")});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   const std::string figure = readTextFile(folder.file("a.svg")), table = readTextFile(folder.file("a.csv"));
-  for (const char* const part : {"four-curve", "derivative", "sixth-order", "tangent", "curvature", "spline", "breaks down here",
-                                 "Lebesgue constant", "N = 5 with remainder", "29 x 40"})
+  for (const char* const part : {"four-curve", "derivative", "sixth-order", "tangent", "curvature", "spline",
+                                 "breaks down here", "Lebesgue constant", "N = 5 with remainder", "29 x 40"})
     EXPECT_NE(figure.find(part), std::string::npos) << part;
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 6 * 8);
 }

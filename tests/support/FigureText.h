@@ -1,11 +1,11 @@
 #pragma once
 
-#include "FigureFile.h"
-#include "FigurePainter.h"
-
 #include <fstream>
 #include <iterator>
 #include <string>
+
+#include "FigureFile.h"
+#include "FigurePainter.h"
 
 namespace mien {
 
@@ -15,7 +15,8 @@ inline std::string bytesOf(const std::string& name) {
 }
 
 /// Writes a figure and gives the file's bytes; the fault when it could not be written.
-inline std::string writtenFigure(const Figure& figure, const std::string& name, double width = 170.0, const std::string& theme = "light") {
+inline std::string writtenFigure(const Figure& figure, const std::string& name, double width = 170.0,
+                                 const std::string& theme = "light") {
   const FigurePainter painter(figure, *FigureTheme::find(theme), width);
   FigureFile file(name);
   file.setTitle("Sample");

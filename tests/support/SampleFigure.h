@@ -1,8 +1,8 @@
 #pragma once
 
-#include "Figure.h"
-
 #include <cmath>
+
+#include "Figure.h"
 
 namespace mien {
 
@@ -34,7 +34,8 @@ inline Chart sampleBars() {
   chart.x.title = "Mode n";
   chart.y = {"RMS length of the contribution", "mm", ChartAxis::Scale::Automatic};
   chart.x.categories = {"0", "1", "2", "3", "4", "5", "remainder"};
-  chart.series.push_back({"contribution", {0, 1, 2, 3, 4, 5, 6}, {60.0, 75.0, 6.0, 3.0, 1.5, 0.8, 0.4}, ChartSeries::Kind::Bars});
+  chart.series.push_back(
+      {"contribution", {0, 1, 2, 3, 4, 5, 6}, {60.0, 75.0, 6.0, 3.0, 1.5, 0.8, 0.4}, ChartSeries::Kind::Bars});
   return chart;
 }
 

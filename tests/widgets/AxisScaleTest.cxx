@@ -1,8 +1,8 @@
-#include "AxisScale.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "AxisScale.h"
 
 namespace {
 

@@ -1,14 +1,13 @@
-#include "FigureApplication.h"
-#include "FigureText.h"
-#include "SampleFigure.h"
+#include <gtest/gtest.h>
 
 #include <QImage>
 #include <QPainter>
-
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <filesystem>
+
+#include "FigureApplication.h"
+#include "FigureText.h"
+#include "SampleFigure.h"
 
 namespace {
 
@@ -16,7 +15,9 @@ namespace fs = std::filesystem;
 
 class FigureFile : public testing::Test {
  protected:
-  FigureFile() : folder_(fs::temp_directory_path() / ("mien_figure_" + std::to_string(getpid()))) { fs::create_directories(folder_); }
+  FigureFile() : folder_(fs::temp_directory_path() / ("mien_figure_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+  }
   ~FigureFile() override { fs::remove_all(folder_); }
 
   std::string name(const std::string& file) const { return (folder_ / file).string(); }
@@ -31,15 +32,17 @@ TEST_F(FigureFile, SVGHasVectorsAndTextOnly) {
   EXPECT_NE(svg.find("<polyline"), std::string::npos);
   EXPECT_NE(svg.find("width=\"170mm\""), std::string::npos);
   EXPECT_NE(svg.find("mien sweep --scheme all"), std::string::npos);
-  for (const char* const text : {"(a) Lebesgue constant", "RMS length of the contribution", "four-curve", "breaks down here",
-                                 "Smoothing parameter a", "remainder", "N = 5"})
+  for (const char* const text : {"(a) Lebesgue constant", "RMS length of the contribution", "four-curve",
+                                 "breaks down here", "Smoothing parameter a", "remainder", "N = 5"})
     EXPECT_NE(svg.find(text), std::string::npos) << text;
 }
 
 TEST_F(FigureFile, TheSameFigureHasTheSameBytes) {
   setenv("SOURCE_DATE_EPOCH", "1700000000", 1);
   for (const char* const file : {"b.svg", "b.pdf", "b.png"})
-    EXPECT_TRUE(mien::writtenFigure(mien::sampleFigure(), name(file)) == mien::writtenFigure(mien::sampleFigure(), name(file))) << file;
+    EXPECT_TRUE(mien::writtenFigure(mien::sampleFigure(), name(file)) ==
+                mien::writtenFigure(mien::sampleFigure(), name(file)))
+        << file;
   unsetenv("SOURCE_DATE_EPOCH");
 }
 

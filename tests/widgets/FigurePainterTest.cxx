@@ -1,16 +1,15 @@
-#include "FigureApplication.h"
-#include "FigureText.h"
-#include "SampleFigure.h"
+#include <gtest/gtest.h>
 
 #include <QPainter>
 #include <QRegularExpression>
-
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <set>
+
+#include "FigureApplication.h"
+#include "FigureText.h"
+#include "SampleFigure.h"
 
 namespace {
 
@@ -25,7 +24,8 @@ class FigurePainter : public testing::Test {
   }
 
   static QString svg(const mien::Figure& figure) {
-    const std::string name = (fs::temp_directory_path() / ("mien_painter_" + std::to_string(getpid()) + ".svg")).string();
+    const std::string name =
+        (fs::temp_directory_path() / ("mien_painter_" + std::to_string(getpid()) + ".svg")).string();
     const std::string text = mien::writtenFigure(figure, name);
     fs::remove(name);
     return QString::fromStdString(text);
@@ -69,7 +69,8 @@ TEST_F(FigurePainter, DrawnPointsAreTheData) {
 
 TEST_F(FigurePainter, ValuesThatAreNotFiniteLeaveAGap) {
   mien::Figure figure = oneLine();
-  figure.panels[0].series[0] = {"line", {0, 1, 2, 3, 4, 5, 10}, {1, 2, 3, std::numeric_limits<double>::quiet_NaN(), 4, 5, 6}};
+  figure.panels[0].series[0] = {
+      "line", {0, 1, 2, 3, 4, 5, 10}, {1, 2, 3, std::numeric_limits<double>::quiet_NaN(), 4, 5, 6}};
   const QString text = svg(figure);
   EXPECT_EQ(polyline(text, 7).size(), 0u);
   EXPECT_EQ(polyline(text, 3).size(), 3u);
@@ -111,7 +112,8 @@ TEST_F(FigurePainter, BarsReachFromZeroToTheirValue) {
   const mien::FigurePainter layout = painter(figure);
   const mien::ChartPainter& panel = layout.panels()[0];
   const double height = panel.position(0.0, 0.0).y() - panel.position(0.0, 75.0).y();
-  auto rectangles = QRegularExpression("<rect x=\"([^\"]*)\" y=\"([^\"]*)\" width=\"([^\"]*)\" height=\"([^\"]*)\"").globalMatch(svg(figure));
+  auto rectangles = QRegularExpression("<rect x=\"([^\"]*)\" y=\"([^\"]*)\" width=\"([^\"]*)\" height=\"([^\"]*)\"")
+                        .globalMatch(svg(figure));
   bool found = false;
   while (rectangles.hasNext()) found = std::abs(rectangles.next().captured(4).toDouble() - height) < 0.1 || found;
   EXPECT_TRUE(found);

@@ -1,12 +1,14 @@
-#include "LineClip.h"
-
 #include <gtest/gtest.h>
+
+#include "LineClip.h"
 
 namespace {
 
 const QRectF box(0.0, 0.0, 10.0, 10.0);
 
-QPolygonF polygon(const QVector<QPointF>& points) { return QPolygonF(points); }
+QPolygonF polygon(const QVector<QPointF>& points) {
+  return QPolygonF(points);
+}
 
 TEST(LineClip, WhatLiesInsideIsKeptAsItIs) {
   const QPolygonF line = polygon({{1, 1}, {5, 9}, {9, 1}});

@@ -1,10 +1,11 @@
-#include "SpectrumFigure.h"
-
 #include <gtest/gtest.h>
+
+#include "SpectrumFigure.h"
 
 namespace {
 
-const std::vector<mien::ModeMeasures> modes = {{"0", 3.0, 4.0, 0.9, 1.0}, {"1", 1.0, 2.0, 0.1, 0.2}, {"remainder", 0.2, 0.3, 0.0, 0.0}};
+const std::vector<mien::ModeMeasures> modes = {
+    {"0", 3.0, 4.0, 0.9, 1.0}, {"1", 1.0, 2.0, 0.1, 0.2}, {"remainder", 0.2, 0.3, 0.0, 0.0}};
 
 TEST(SpectrumFigure, OneSchemeIsDrawnAsBarsOfItsMeasures) {
   const mien::Figure figure = mien::spectrumFigure({{"spline", modes}}, 0.1);
@@ -23,6 +24,8 @@ TEST(SpectrumFigure, SeveralSchemesDifferInMoreThanColour) {
   EXPECT_NE(figure.panels[0].series[0].style, figure.panels[0].series[1].style);
 }
 
-TEST(SpectrumFigure, NothingIsNoFigure) { EXPECT_TRUE(mien::spectrumFigure({}, {}).panels.empty()); }
+TEST(SpectrumFigure, NothingIsNoFigure) {
+  EXPECT_TRUE(mien::spectrumFigure({}, {}).panels.empty());
+}
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "SweepFigure.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
+
+#include "SweepFigure.h"
 
 namespace {
 
@@ -22,9 +22,9 @@ const mien::Chart* panel(const mien::Figure& figure, const std::string& title) {
 }
 
 TEST(SweepFigure, AxesEndNearTheLastSurfaceThatIsAFace) {
-  const mien::Figure figure =
-      mien::sweepFigure({record("four-curve", 1.0, 2.0), record("four-curve", 2.0, 3.0), record("four-curve", 10.0, 1e20)},
-                        {{"four-curve", 2.0}}, 1.0);
+  const mien::Figure figure = mien::sweepFigure(
+      {record("four-curve", 1.0, 2.0), record("four-curve", 2.0, 3.0), record("four-curve", 10.0, 1e20)},
+      {{"four-curve", 2.0}}, 1.0);
   const mien::Chart* chart = panel(figure, "Lebesgue constant");
   ASSERT_NE(chart, nullptr);
   EXPECT_LE(*chart->y.end, 1001.0);

@@ -13,7 +13,7 @@ constexpr double automaticSpan = 50.0;   // from here on small values vanish on 
 constexpr double mostPlainNumber = 1e6;  // from here on numbers are written as powers of ten ...
 constexpr double mostPlainDecade = 1e4;  // ... and decades from here on, which are compared by their powers
 constexpr double leastPlainNumber = 1e-4;
-constexpr double rounding = 1e-9;        // of a step: ticks that miss the end by rounding still belong to the axis
+constexpr double rounding = 1e-9;  // of a step: ticks that miss the end by rounding still belong to the axis
 
 std::string superscript(int number) {
   static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -30,7 +30,9 @@ double niceStep(double step) {
   return 10.0 * power;
 }
 
-std::string powerText(double value) { return "10" + superscript(static_cast<int>(std::lround(std::log10(value)))); }
+std::string powerText(double value) {
+  return "10" + superscript(static_cast<int>(std::lround(std::log10(value))));
+}
 
 std::string plainText(double value, int decimals) {
   char text[64];
@@ -100,7 +102,8 @@ AxisScale AxisScale::around(const ChartAxis& axis, const std::vector<double>& va
   const bool logarithmic = isLogarithmic(axis, values);
   Range range = rangeOf(values, logarithmic);
   if (range.empty()) range = logarithmic ? Range{1.0, 10.0} : Range{0.0, 1.0};
-  if (!logarithmic && (withZero || (range.least > 0.0 && range.least < 0.5 * range.most))) range.least = std::min(range.least, 0.0);
+  if (!logarithmic && (withZero || (range.least > 0.0 && range.least < 0.5 * range.most)))
+    range.least = std::min(range.least, 0.0);
   if (!logarithmic && withZero) range.most = std::max(range.most, 0.0);
   const bool room = !axis.endsWithData || range.least == range.most;
   if (room) logarithmic ? widenToDecades(range) : widen(range);
@@ -124,7 +127,8 @@ std::vector<AxisTick> AxisScale::ticks(const ChartAxis& axis, int most) const {
 
 std::vector<AxisTick> AxisScale::linearTicks(double step, double origin) const {
   std::vector<AxisTick> ticks;
-  const double first = std::ceil((begin_ - origin) / step - rounding), last = std::floor((end_ - origin) / step + rounding);
+  const double first = std::ceil((begin_ - origin) / step - rounding),
+               last = std::floor((end_ - origin) / step + rounding);
   for (double i = first; i <= last; ++i) ticks.push_back({origin + i * step, tickText(origin + i * step, step)});
   return ticks;
 }
@@ -134,12 +138,14 @@ std::vector<AxisTick> AxisScale::decadeTicks(int most) const {
   if (span < 1.0) return linearTicks(niceStep((end_ - begin_) / std::max(1, most)), 0.0);
   const int first = static_cast<int>(std::floor(std::log10(begin_) + rounding));
   const int last = static_cast<int>(std::floor(std::log10(end_) + rounding));
-  const int every = std::max(1, static_cast<int>(std::ceil((last - first + 1) / static_cast<double>(std::max(1, most)))));
+  const int every =
+      std::max(1, static_cast<int>(std::ceil((last - first + 1) / static_cast<double>(std::max(1, most)))));
   std::vector<AxisTick> ticks;
   for (int decade = first; decade <= last; ++decade) {
     const double value = std::pow(10.0, decade);
     const bool named = (decade - first) % every == 0;
-    if (value >= begin_ * (1.0 - rounding)) ticks.push_back({value, !named ? "" : value < mostPlainDecade ? tickText(value, value) : powerText(value)});
+    if (value >= begin_ * (1.0 - rounding))
+      ticks.push_back({value, !named ? "" : value < mostPlainDecade ? tickText(value, value) : powerText(value)});
     if (every == 1) appendMinorTicks(decade, 3 * (last - first + 1) <= most, ticks);
   }
   return ticks;

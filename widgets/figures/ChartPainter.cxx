@@ -1,13 +1,12 @@
 #include "ChartPainter.h"
 
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
 #include "LineClip.h"
 #include "SeriesStyle.h"
 #include "TextLines.h"
-
-#include <QPainter>
-
-#include <algorithm>
-#include <cmath>
 
 namespace mien {
 
@@ -21,7 +20,9 @@ constexpr double spread = 26.0;      // pt, at least, between the few markers th
 constexpr double spreadShare = 9.0;  // pt, for each series: where lines coincide their markers stand apart
 constexpr double barShare = 0.8;     // of the room between two categories
 
-double points(double number) { return figureUnitsFromPoints(number); }
+double points(double number) {
+  return figureUnitsFromPoints(number);
+}
 
 std::vector<double> finiteValues(const Chart& chart, bool ofX) {
   std::vector<double> values;
@@ -33,9 +34,13 @@ std::vector<double> finiteValues(const Chart& chart, bool ofX) {
   return values;
 }
 
-bool isBars(const ChartSeries& series) { return series.kind == ChartSeries::Kind::Bars; }
+bool isBars(const ChartSeries& series) {
+  return series.kind == ChartSeries::Kind::Bars;
+}
 
-size_t barCount(const Chart& chart) { return std::count_if(chart.series.begin(), chart.series.end(), isBars); }
+size_t barCount(const Chart& chart) {
+  return std::count_if(chart.series.begin(), chart.series.end(), isBars);
+}
 
 /// Beginning and width of the bar of a series around its category, in units of x.
 std::pair<double, double> barPlace(const Chart& chart, size_t series) {
@@ -75,7 +80,8 @@ bool ChartPainter::namesStandUpright(double plotWidth) const {
   const std::vector<std::string>& names = chart_.x.categories;
   const QFont font = figureFont(numberSize);
   for (size_t i = 0; i + 1 < names.size(); ++i) {
-    const double widths = textWidth(font, QString::fromStdString(names[i])) + textWidth(font, QString::fromStdString(names[i + 1]));
+    const double widths =
+        textWidth(font, QString::fromStdString(names[i])) + textWidth(font, QString::fromStdString(names[i + 1]));
     if (0.5 * widths + points(gap) > plotWidth / names.size()) return true;
   }
   return false;
@@ -90,7 +96,8 @@ double ChartPainter::overhang(double plotWidth) const {
 
 /// From the plot to below the numbers.
 double ChartPainter::numberDepth(double plotWidth) const {
-  return points(tickLength + gap) + (namesStandUpright(plotWidth) ? categoryWidth() : lineHeight(figureFont(numberSize)));
+  return points(tickLength + gap) +
+         (namesStandUpright(plotWidth) ? categoryWidth() : lineHeight(figureFont(numberSize)));
 }
 
 std::vector<AxisTick> ChartPainter::yTicks(double plotHeight) const {
@@ -143,7 +150,8 @@ void ChartPainter::paint(QPainter& painter) const {
   paintYAxis(painter);
   paintXAxis(painter);
   paintMarks(painter);
-  for (size_t i = 0; i < chart_.series.size(); ++i) isBars(chart_.series[i]) ? paintBars(painter, i) : paintLine(painter, i);
+  for (size_t i = 0; i < chart_.series.size(); ++i)
+    isBars(chart_.series[i]) ? paintBars(painter, i) : paintLine(painter, i);
   for (size_t i = 0; i < chart_.series.size(); ++i) paintMarkers(painter, i);
   paintFrame(painter);
   for (size_t i = 0; i < chart_.series.size(); ++i) paintBreakdown(painter, i);
@@ -172,7 +180,8 @@ void ChartPainter::paintYAxis(QPainter& painter) const {
       painter.drawLine(QPointF(plot_.left(), y), QPointF(plot_.right(), y));
     }
     painter.setPen(QPen(theme_.axis, points(theme_.axisWidth)));
-    painter.drawLine(QPointF(plot_.left() - points(text.isEmpty() ? 0.5 * tickLength : tickLength), y), QPointF(plot_.left(), y));
+    painter.drawLine(QPointF(plot_.left() - points(text.isEmpty() ? 0.5 * tickLength : tickLength), y),
+                     QPointF(plot_.left(), y));
     painter.setPen(theme_.text);
     const double x = plot_.left() - points(tickLength + 0.5 * gap) - textWidth(font, text);
     if (!text.isEmpty()) painter.drawText(QPointF(x, y + 0.36 * font.pixelSize()), text);
@@ -186,13 +195,15 @@ void ChartPainter::paintXAxis(QPainter& painter) const {
     const double x = plot_.left() + x_.fraction(tick.value) * plot_.width();
     const QString text = QString::fromStdString(tick.text);
     painter.setPen(QPen(theme_.axis, points(theme_.axisWidth)));
-    painter.drawLine(QPointF(x, plot_.bottom()), QPointF(x, plot_.bottom() + points(text.isEmpty() ? 0.5 * tickLength : tickLength)));
+    painter.drawLine(QPointF(x, plot_.bottom()),
+                     QPointF(x, plot_.bottom() + points(text.isEmpty() ? 0.5 * tickLength : tickLength)));
     painter.setPen(theme_.text);
     if (!text.isEmpty()) paintCategory(painter, x, text);
   }
   const QString title = QString::fromStdString(titleWithUnit(chart_.x));
   const double x = plot_.center().x() - 0.5 * textWidth(font, title);
-  if (!title.isEmpty()) painter.drawText(QPointF(x, plot_.bottom() + numberDepth(plot_.width()) + 0.9 * font.pixelSize()), title);
+  if (!title.isEmpty())
+    painter.drawText(QPointF(x, plot_.bottom() + numberDepth(plot_.width()) + 0.9 * font.pixelSize()), title);
 }
 
 void ChartPainter::paintCategory(QPainter& painter, double x, const QString& text) const {

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "AxisScale.h"
-#include "Chart.h"
-#include "FigureTheme.h"
-
 #include <QPolygonF>
 #include <QRectF>
 #include <QString>
+
+#include "AxisScale.h"
+#include "Chart.h"
+#include "FigureTheme.h"
 
 class QPainter;
 

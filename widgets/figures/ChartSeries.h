@@ -17,7 +17,7 @@ struct ChartSeries {
   std::string name;  ///< in the legend; empty: not there
   std::vector<double> x, y;
   Kind kind = Kind::Line;
-  int style = -1;                   ///< colour, dashes and marker 0 .. 5; -1: the position in the chart
+  int style = -1;                        ///< colour, dashes and marker 0 .. 5; -1: the position in the chart
   std::optional<double> breakdown = {};  ///< the first x whose value means nothing any more: marked with a cross
 };
 

@@ -1,9 +1,9 @@
 #include "ContinuityFigure.h"
 
+#include <algorithm>
+
 #include "AxisScale.h"
 #include "SchemeStyle.h"
-
-#include <algorithm>
 
 namespace mien {
 
@@ -46,7 +46,9 @@ Chart seamChart(const std::string& seam, const std::vector<SeamProfile>& profile
   chart.y = y;
   chart.y.title = seam + ", " + y.title;
   for (const SeamProfile& profile : profiles)
-    if (profile.seam == seam) chart.series.push_back({profile.scheme, profile.v, profile.value, ChartSeries::Kind::Line, schemeStyle(profile.scheme)});
+    if (profile.seam == seam)
+      chart.series.push_back(
+          {profile.scheme, profile.v, profile.value, ChartSeries::Kind::Line, schemeStyle(profile.scheme)});
   return chart;
 }
 
@@ -57,7 +59,8 @@ Figure continuityFigure(const std::vector<SeamProfile>& profiles, const ChartAxi
   const ChartAxis axis = commonAxis(profiles, measure);
   for (const std::string& seam : seamsOf(profiles)) figure.panels.push_back(seamChart(seam, profiles, axis));
   figure.title = "Continuity across the seams";
-  figure.caption = "Measured from both sides of each seam along v; the back of the head is at 0, the nose bridge at 180 degrees.";
+  figure.caption =
+      "Measured from both sides of each seam along v; the back of the head is at 0, the nose bridge at 180 degrees.";
   return figure;
 }
 

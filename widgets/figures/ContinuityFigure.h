@@ -7,8 +7,8 @@ namespace mien {
 /// One measure along one seam of a face in one scheme.
 struct SeamProfile {
   std::string scheme;
-  std::string seam;          ///< "P0|P1"
-  std::vector<double> v;     ///< degrees, 0 at the back of the head, 180 at the nose bridge
+  std::string seam;       ///< "P0|P1"
+  std::vector<double> v;  ///< degrees, 0 at the back of the head, 180 at the nose bridge
   std::vector<double> value;
 };
 

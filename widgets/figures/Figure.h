@@ -6,7 +6,7 @@ namespace mien {
 
 /// Charts side by side with one legend, labelled (a), (b) .. when there are several.
 struct Figure {
-  std::string title;    ///< above the charts; may be empty
+  std::string title;  ///< above the charts; may be empty
   std::vector<Chart> panels;
   int columns = 0;      ///< of panels; 0: as many as fit legibly
   std::string caption;  ///< below: what is seen

@@ -1,7 +1,6 @@
 #include "FigureApplication.h"
 
 #include <QGuiApplication>
-
 #include <algorithm>
 #include <clocale>
 #include <iostream>

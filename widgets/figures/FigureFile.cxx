@@ -1,6 +1,6 @@
 #include "FigureFile.h"
 
-#include "FigureTheme.h"
+#include <unistd.h>
 
 #include <QBuffer>
 #include <QDateTime>
@@ -10,12 +10,11 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSvgGenerator>
-
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
-#include <unistd.h>
+#include "FigureTheme.h"
 
 namespace mien {
 
@@ -31,7 +30,8 @@ std::string endingOf(const std::string& name) {
 
 std::string temporaryName(const std::string& name) {
   const fs::path path(name);
-  const std::string hidden = "." + path.stem().string() + ".mien-" + std::to_string(getpid()) + path.extension().string();
+  const std::string hidden =
+      "." + path.stem().string() + ".mien-" + std::to_string(getpid()) + path.extension().string();
   return (path.parent_path() / hidden).string();
 }
 
@@ -82,7 +82,8 @@ std::string FigureFile::describeFault(const QSizeF& size) const {
   if (!(dotsPerInch_ >= leastDotsPerInch && dotsPerInch_ <= mostDotsPerInch))
     return "dots per inch are outside 30 .. 2400; choose 300 for print";
   const double pixels = size.width() * size.height() * dotsPerInch_ * dotsPerInch_ / (unitsPerInch * unitsPerInch);
-  if (ending == "png" && pixels > mostPixels) return name_ + ": the picture would have too many pixels; choose fewer dots per inch";
+  if (ending == "png" && pixels > mostPixels)
+    return name_ + ": the picture would have too many pixels; choose fewer dots per inch";
   return {};
 }
 
@@ -121,7 +122,8 @@ bool FigureFile::writePDF(const std::string& name, const QSizeF& size, const Dra
   {
     QPdfWriter pdf(&buffer);
     pdf.setResolution(qRound(unitsPerInch));
-    pdf.setPageSize(QPageSize(size / figureUnitsPerMillimetre, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
+    pdf.setPageSize(
+        QPageSize(size / figureUnitsPerMillimetre, QPageSize::Millimeter, QString(), QPageSize::ExactMatch));
     pdf.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
     pdf.setTitle(QString::fromStdString(title_));
     pdf.setCreator(QStringLiteral("Mien"));

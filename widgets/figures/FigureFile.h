@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QSizeF>
-
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,8 +11,9 @@ namespace mien {
 
 /// Writes drawings as .svg, .pdf or .png: vectors with true text, fonts embedded in PDF.
 ///
-/// A drawing is in hundredths of a millimetre. The file appears under its name when it is complete. The same drawing makes
-/// the same bytes; the date inside PDF files is that of the environment variable SOURCE_DATE_EPOCH when it is set.
+/// A drawing is in hundredths of a millimetre. The file appears under its name when it is complete. The same drawing
+/// makes the same bytes; the date inside PDF files is that of the environment variable SOURCE_DATE_EPOCH when it is
+/// set.
 class FigureFile {
  public:
   static constexpr double leastDotsPerInch = 30.0, mostDotsPerInch = 2400.0;

@@ -1,11 +1,10 @@
 #include "FigurePainter.h"
 
-#include "TextLines.h"
-
 #include <QPainter>
-
 #include <algorithm>
 #include <cmath>
+
+#include "TextLines.h"
 
 namespace mien {
 
@@ -20,7 +19,9 @@ constexpr double columnGap = 3.0;     // mm
 constexpr double rowGap = 3.0;        // mm
 constexpr double titleSize = 8.5, captionSize = 7.0, noteSize = 6.0;  // pt
 
-double units(double millimetres) { return millimetres * figureUnitsPerMillimetre; }
+double units(double millimetres) {
+  return millimetres * figureUnitsPerMillimetre;
+}
 
 QString panelLabel(size_t index, size_t count) {
   if (count < 2) return {};
@@ -31,7 +32,11 @@ QString panelLabel(size_t index, size_t count) {
 }  // namespace
 
 FigurePainter::FigurePainter(const Figure& figure, const FigureTheme& theme, double width, double height)
-    : figure_(figure), theme_(theme), size_(units(width), 0.0), inner_(units(width - 2.0 * border)), legend_(figure, theme, inner_) {
+    : figure_(figure),
+      theme_(theme),
+      size_(units(width), 0.0),
+      inner_(units(width - 2.0 * border)),
+      legend_(figure, theme, inner_) {
   title_ = textLines(figureFont(titleSize, true), QString::fromStdString(figure.title), inner_);
   caption_ = textLines(figureFont(captionSize), QString::fromStdString(figure.caption), inner_);
   note_ = textLines(figureFont(noteSize), QString::fromStdString(figure.note), inner_);
@@ -64,7 +69,8 @@ double FigurePainter::cellWidth() const {
 }
 
 void FigurePainter::layOut(double height) {
-  legendTop_ = units(border) + title_.size() * lineHeight(figureFont(titleSize)) + (title_.isEmpty() ? 0.0 : units(0.8));
+  legendTop_ =
+      units(border) + title_.size() * lineHeight(figureFont(titleSize)) + (title_.isEmpty() ? 0.0 : units(0.8));
   const double top = legendTop_ + legend_.height() + units(1.2);
   const double below = (textHeight() > 0.0 ? units(2.0) : 0.0) + textHeight() + units(border);
   const int rows = rowCount();

@@ -1,11 +1,11 @@
 #pragma once
 
+#include <QSizeF>
+#include <QStringList>
+
 #include "ChartPainter.h"
 #include "Figure.h"
 #include "LegendPainter.h"
-
-#include <QSizeF>
-#include <QStringList>
 
 namespace mien {
 

@@ -2,7 +2,6 @@
 
 #include <QColor>
 #include <QFont>
-
 #include <string>
 #include <vector>
 
@@ -12,7 +11,9 @@ namespace mien {
 constexpr double figureUnitsPerMillimetre = 100.0;
 
 /// A length of typography in units of figures: 1 pt is 1/72 inch.
-constexpr double figureUnitsFromPoints(double points) { return points * 25.4 / 72.0 * figureUnitsPerMillimetre; }
+constexpr double figureUnitsFromPoints(double points) {
+  return points * 25.4 / 72.0 * figureUnitsPerMillimetre;
+}
 
 /// Colours, fonts and line widths of figures.
 ///

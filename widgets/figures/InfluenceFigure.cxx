@@ -18,7 +18,8 @@ Figure influenceFigure(const std::vector<InfluenceProfile>& profiles, double mov
   chart.x.step = curvesPerPatch;
   chart.y = ChartAxis{"Largest move of the surface", "mm per mm"};
   for (const InfluenceProfile& profile : profiles)
-    chart.series.push_back({profile.scheme, profile.curve, profile.influence, ChartSeries::Kind::Line, schemeStyle(profile.scheme)});
+    chart.series.push_back(
+        {profile.scheme, profile.curve, profile.influence, ChartSeries::Kind::Line, schemeStyle(profile.scheme)});
   chart.marks.push_back({moved, false, movement});
   Figure figure;
   figure.panels = {chart};

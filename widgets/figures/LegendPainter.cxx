@@ -1,12 +1,11 @@
 #include "LegendPainter.h"
 
+#include <QPainter>
+#include <algorithm>
+
 #include "ChartPainter.h"
 #include "SeriesStyle.h"
 #include "TextLines.h"
-
-#include <QPainter>
-
-#include <algorithm>
 
 namespace mien {
 
@@ -17,11 +16,17 @@ constexpr double symbolWidth = 20.0;  // pt: long enough to show a whole pattern
 constexpr double symbolGap = 4.0;     // pt
 constexpr double entryGap = 12.0;     // pt
 
-double points(double number) { return figureUnitsFromPoints(number); }
+double points(double number) {
+  return figureUnitsFromPoints(number);
+}
 
-QFont legendFont() { return figureFont(textSize); }
+QFont legendFont() {
+  return figureFont(textSize);
+}
 
-double rowHeight() { return 1.15 * lineHeight(legendFont()); }
+double rowHeight() {
+  return 1.15 * lineHeight(legendFont());
+}
 
 }  // namespace
 
@@ -64,7 +69,9 @@ void LegendPainter::place(double width) {
   }
 }
 
-double LegendPainter::height() const { return rows_ * rowHeight(); }
+double LegendPainter::height() const {
+  return rows_ * rowHeight();
+}
 
 void LegendPainter::paint(QPainter& painter, const QPointF& topLeft) const {
   for (const Entry& entry : entries_) {

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <QPointF>
+
 #include "Figure.h"
 #include "FigureTheme.h"
-
-#include <QPointF>
 
 class QPainter;
 

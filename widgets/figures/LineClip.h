@@ -2,7 +2,6 @@
 
 #include <QPolygonF>
 #include <QRectF>
-
 #include <vector>
 
 namespace mien {

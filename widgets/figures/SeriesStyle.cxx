@@ -2,7 +2,6 @@
 
 #include <QPainter>
 #include <QPolygonF>
-
 #include <cmath>
 
 namespace mien {
@@ -14,8 +13,8 @@ constexpr double breakdownRadius = 2.6;  // pt: larger than any marker
 
 /// In multiples of the line's width.
 QVector<qreal> dashes(int index) {
-  static const QVector<qreal> patterns[SeriesStyle::count] = {{},           {6.0, 2.5}, {1.5, 2.0}, {6.0, 2.0, 1.5, 2.0},
-                                                              {11.0, 3.0}, {6.0, 2.0, 1.5, 2.0, 1.5, 2.0}};
+  static const QVector<qreal> patterns[SeriesStyle::count] = {
+      {}, {6.0, 2.5}, {1.5, 2.0}, {6.0, 2.0, 1.5, 2.0}, {11.0, 3.0}, {6.0, 2.0, 1.5, 2.0, 1.5, 2.0}};
   return patterns[index];
 }
 
@@ -52,12 +51,24 @@ void SeriesStyle::drawMarker(QPainter& painter, const QPointF& center) const {
   painter.setPen(QPen(color_, 0.6 * width_));
   painter.setBrush(index_ % 2 == 0 ? color_ : background_);
   switch (index_) {
-    case 0: painter.drawEllipse(center, r, r); break;
-    case 1: painter.drawPolygon(regularPolygon(center, 1.3 * r, 4, M_PI / 4)); break;
-    case 2: painter.drawPolygon(regularPolygon(center, 1.4 * r, 3, -M_PI / 2)); break;
-    case 3: painter.drawPolygon(regularPolygon(center, 1.4 * r, 4, 0.0)); break;
-    case 4: painter.drawPolygon(regularPolygon(center, 1.4 * r, 3, M_PI / 2)); break;
-    default: painter.drawEllipse(center, r, r); break;
+    case 0:
+      painter.drawEllipse(center, r, r);
+      break;
+    case 1:
+      painter.drawPolygon(regularPolygon(center, 1.3 * r, 4, M_PI / 4));
+      break;
+    case 2:
+      painter.drawPolygon(regularPolygon(center, 1.4 * r, 3, -M_PI / 2));
+      break;
+    case 3:
+      painter.drawPolygon(regularPolygon(center, 1.4 * r, 4, 0.0));
+      break;
+    case 4:
+      painter.drawPolygon(regularPolygon(center, 1.4 * r, 3, M_PI / 2));
+      break;
+    default:
+      painter.drawEllipse(center, r, r);
+      break;
   }
 }
 

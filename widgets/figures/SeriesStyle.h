@@ -1,9 +1,9 @@
 #pragma once
 
-#include "FigureTheme.h"
-
 #include <QPen>
 #include <QPointF>
+
+#include "FigureTheme.h"
 
 class QPainter;
 

@@ -1,23 +1,25 @@
 #include "SpectrumFigure.h"
 
-#include "AxisScale.h"
-#include "SchemeStyle.h"
-
 #include <algorithm>
 #include <limits>
+
+#include "AxisScale.h"
+#include "SchemeStyle.h"
 
 namespace mien {
 
 namespace {
 
-constexpr double leastShare = 1e-9;  // of the largest value: what is smaller is rounding and would only stretch the axis
+constexpr double leastShare =
+    1e-9;  // of the largest value: what is smaller is rounding and would only stretch the axis
 
 Chart chartOf(const std::vector<SchemeSpectrum>& spectra, const ChartAxis& y, double ModeMeasures::*measure,
               ChartSeries::Kind kind, bool ofModesOnly) {
   Chart chart;
   chart.x.title = "Mode n";
   chart.y = y;
-  const size_t count = spectra.front().modes.size() - (ofModesOnly && spectra.front().modes.back().mode == "remainder" ? 1 : 0);
+  const size_t count =
+      spectra.front().modes.size() - (ofModesOnly && spectra.front().modes.back().mode == "remainder" ? 1 : 0);
   for (size_t i = 0; i < count; ++i) {
     const ModeMeasures& mode = spectra.front().modes[i];
     chart.x.categories.push_back(mode.mode == "remainder" ? "rest" : mode.mode);
@@ -50,12 +52,16 @@ Figure spectrumFigure(const std::vector<SchemeSpectrum>& spectra, const std::opt
   };
   const auto samples = ChartSeries::Kind::Samples;
   const auto bars = spectra.size() > 1 ? samples : ChartSeries::Kind::Bars;  // many bars differ in colour alone
-  figure.panels = {chartOf(spectra, axis("RMS of the contribution", "mm"), &ModeMeasures::rms, bars, false),
-                   chartOf(spectra, axis("Share of the energy", ""), &ModeMeasures::energyShare, bars, false),
-                   chartOf(spectra, axis("RMS missing from the sum", "mm"), &ModeMeasures::cumulativeError, samples, true)};
-  if (tolerance) figure.panels.back().marks.push_back({*tolerance, true, "tolerance " + tickText(*tolerance, *tolerance) + " mm"});
+  figure.panels = {
+      chartOf(spectra, axis("RMS of the contribution", "mm"), &ModeMeasures::rms, bars, false),
+      chartOf(spectra, axis("Share of the energy", ""), &ModeMeasures::energyShare, bars, false),
+      chartOf(spectra, axis("RMS missing from the sum", "mm"), &ModeMeasures::cumulativeError, samples, true)};
+  if (tolerance)
+    figure.panels.back().marks.push_back({*tolerance, true, "tolerance " + tickText(*tolerance, *tolerance) + " mm"});
   figure.title = "Spectrum of the surface";
-  figure.caption = "What each Fourier mode adds to the surface; \"rest\" is the remainder, all harmonics above N together. (c) What the sum of the modes up to n lacks.";
+  figure.caption =
+      "What each Fourier mode adds to the surface; \"rest\" is the remainder, all harmonics above N together. (c) What "
+      "the sum of the modes up to n lacks.";
   return figure;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "Figure.h"
 #include "ModeSpectrum.h"
-
-#include <optional>
 
 namespace mien {
 

@@ -1,10 +1,10 @@
 #include "SweepFigure.h"
 
-#include "AxisScale.h"
-#include "SchemeStyle.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "AxisScale.h"
+#include "SchemeStyle.h"
 
 namespace mien {
 
@@ -34,7 +34,9 @@ const Panel panels[] = {{"area_mm2", "Area", "mm²", linear, 1.0},
 constexpr double halfTurn = 180.0;
 constexpr double leastShown = 1e-6;  // mm and degrees: below this values are rounding and would take most of an axis
 
-double shown(const Panel& panel, double value) { return *panel.unit && value < leastShown ? 0.0 : value; }
+double shown(const Panel& panel, double value) {
+  return *panel.unit && value < leastShown ? 0.0 : value;
+}
 
 std::vector<std::string> schemesOf(const std::vector<SweepRecord>& records) {
   std::vector<std::string> schemes;
@@ -43,7 +45,8 @@ std::vector<std::string> schemesOf(const std::vector<SweepRecord>& records) {
   return schemes;
 }
 
-ChartSeries seriesOf(const std::vector<SweepRecord>& records, const std::string& scheme, const Panel& panel, size_t column) {
+ChartSeries seriesOf(const std::vector<SweepRecord>& records, const std::string& scheme, const Panel& panel,
+                     size_t column) {
   ChartSeries series;
   series.name = scheme;
   series.style = schemeStyle(scheme);
@@ -71,7 +74,8 @@ std::vector<double> soundValues(const Chart& chart) {
   std::vector<double> values;
   for (const ChartSeries& series : chart.series)
     for (size_t i = 0; i < series.x.size(); ++i)
-      if (std::isfinite(series.y[i]) && (!series.breakdown || series.x[i] <= *series.breakdown)) values.push_back(series.y[i]);
+      if (std::isfinite(series.y[i]) && (!series.breakdown || series.x[i] <= *series.breakdown))
+        values.push_back(series.y[i]);
   return values;
 }
 
@@ -93,8 +97,8 @@ void limitAxis(Chart& chart, double room) {
   chart.y.step = 0.25 * halfTurn;
 }
 
-Chart chartOf(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns, const Panel& panel,
-              size_t column) {
+Chart chartOf(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns,
+              const Panel& panel, size_t column) {
   Chart chart;
   chart.x.title = "a";
   chart.x.scale = ChartAxis::Scale::Automatic;
@@ -111,7 +115,8 @@ Chart chartOf(const std::vector<SweepRecord>& records, const std::map<std::strin
 
 }  // namespace
 
-Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns, double reference) {
+Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns,
+                   double reference) {
   Figure figure;
   for (const Panel& panel : panels) {
     const int column = sweepMeasure(panel.measure);
@@ -122,7 +127,9 @@ Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::
   figure.title = "The smoothing parameter a";
   figure.caption = "Measures of the surface over a; departures are from the same scheme's surface at a = " +
                    tickText(reference, reference) + ".";
-  if (!breakdowns.empty()) figure.caption += " From the crosses on a surface is no face any more; lines that leave a panel have passed its scale.";
+  if (!breakdowns.empty())
+    figure.caption +=
+        " From the crosses on a surface is no face any more; lines that leave a panel have passed its scale.";
   return figure;
 }
 

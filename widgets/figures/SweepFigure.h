@@ -1,9 +1,9 @@
 #pragma once
 
+#include <map>
+
 #include "Figure.h"
 #include "SmoothingSweep.h"
-
-#include <map>
 
 namespace mien {
 
@@ -11,6 +11,7 @@ namespace mien {
 ///
 /// @param breakdowns  scheme to the a from which on its surface is no face any more
 /// @param reference   the a that departures are taken from
-Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns, double reference);
+Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns,
+                   double reference);
 
 }  // namespace mien

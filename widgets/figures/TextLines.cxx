@@ -4,9 +4,13 @@
 
 namespace mien {
 
-double textWidth(const QFont& font, const QString& text) { return QFontMetricsF(font).horizontalAdvance(text); }
+double textWidth(const QFont& font, const QString& text) {
+  return QFontMetricsF(font).horizontalAdvance(text);
+}
 
-double lineHeight(const QFont& font) { return 1.25 * font.pixelSize(); }
+double lineHeight(const QFont& font) {
+  return 1.25 * font.pixelSize();
+}
 
 QStringList textLines(const QFont& font, const QString& text, double width) {
   QStringList lines;
