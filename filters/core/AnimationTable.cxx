@@ -127,6 +127,7 @@ void parseEntry(const Json& json, AnimationEntry& entry) {
   const std::string fault = entry.intervals.setBorders(json.at("borders").get<std::vector<double>>());
   if (!fault.empty()) refuse(fault);
   entry.group = json.value("group", std::string());
+  entry.optional = json.value("optional", false);
   for (const Json& part : json.at("parts")) entry.parts.push_back(parsePart(part, entry));
   if (entry.parts.empty()) refuse("it has no parts");
 }

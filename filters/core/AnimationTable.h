@@ -23,6 +23,7 @@ struct AnimationPart {
 struct AnimationEntry {
   int fap = 0;
   std::string group;  ///< FAPs of one group share its points: their weights sum to at most 1
+  bool optional = false;  ///< left out on a face without its feature point, where other entries are refused
   PiecewiseLinear intervals;
   std::vector<AnimationPart> parts;
 };

@@ -5,6 +5,13 @@
 
 namespace mien {
 
+namespace {
+
+// Owners of a sample that are no number of a group; -1 is a FAP without a group.
+constexpr int nobody = -2, several = -3;
+
+}  // namespace
+
 std::string FaceAnimator::bind(const FaceCurves& neutral, const AnimationTable& table) {
   std::string fault = describeFault(neutral);
   if (fault.empty()) fault = describeFault(neutral.curves, minimumPointsPerCurve);
@@ -16,14 +23,24 @@ std::string FaceAnimator::bind(const FaceCurves& neutral, const AnimationTable& 
   for (const ContactPair& pair : table.contacts())
     binding->contacts.emplace_back(binding->neutral.curves, pair, binding->basis);
   binding->order = std::make_unique<CurveOrder>(binding->neutral.curves, table.contacts());
+  binding->owners.resize(binding->neutral.curves.points.rows());
   bound_ = std::move(binding);
   return {};
+}
+
+/// Notes which group moves a sample: only what a single group moves is bound by its displacements alone.
+void FaceAnimator::claimRows(const FAPMotion& motion) {
+  for (int row : motion.rows) {
+    int& owner = bound_->owners[row];
+    owner = owner == nobody || owner == motion.group ? motion.group : several;
+  }
 }
 
 /// @return whether anything moves
 bool FaceAnimator::displace(const FAPFrame& frame) {
   ClosedCurves::Points& points = bound_->animated.points;
   points = bound_->neutral.curves.points;
+  std::fill(bound_->owners.begin(), bound_->owners.end(), nobody);
   bool moved = false;
   for (const FAPMotion& motion : bound_->basis.motions()) {
     const double value = MotionBasis::usableValue(frame, motion.fap);
@@ -34,6 +51,7 @@ bool FaceAnimator::displace(const FAPFrame& frame) {
       if (length == 0.0) continue;
       for (size_t r = 0; r < motion.rows.size(); ++r) points.row(motion.rows[r]) += length * motion.perValue[i].row(r);
     }
+    claimRows(motion);
   }
   return moved;
 }
@@ -47,6 +65,7 @@ void FaceAnimator::limitGroups(const FAPFrame& frame) {
     for (const FAPMotion& motion : basis.motions())
       if (motion.group == group) largest = std::max(largest, motion.reach(MotionBasis::usableValue(frame, motion.fap)));
     for (int row : basis.pointsOfGroup(group)) {
+      if (bound_->owners[row] != group) continue;
       const Eigen::RowVector3d start = bound_->neutral.curves.points.row(row);
       Eigen::RowVector3d shift = bound_->animated.points.row(row) - start;
       const double level = std::hypot(shift.x(), shift.z());
@@ -101,7 +120,7 @@ std::vector<int> FaceAnimator::ignoredFAPs(const FAPFrame& frame) const {
   if (frame.viseme.select1 != 0.0 || frame.viseme.select2 != 0.0) ignored.push_back(1);
   if (frame.expression.select1 != 0.0 || frame.expression.select2 != 0.0) ignored.push_back(2);
   for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
-    if (frame.value(fap) != 0.0 && !bound_->table.entry(fap)) ignored.push_back(fap);
+    if (frame.value(fap) != 0.0 && !bound_->basis.motion(fap)) ignored.push_back(fap);
   return ignored;
 }
 

@@ -38,7 +38,7 @@ class FaceAnimator {
   int contactSamples() const;     ///< how many samples that moved
   double keptShare() const;       ///< 1, or what was left of the movement of a frame with absurd values
 
-  /// FAPs that the frame sets and the table has no entry for; 1 and 2 when a viseme or expression is selected.
+  /// FAPs that the frame sets and nothing on this face answers to; 1 and 2 when a viseme or expression is selected.
   std::vector<int> ignoredFAPs(const FAPFrame& frame) const;
 
  private:
@@ -51,8 +51,10 @@ class FaceAnimator {
     MotionBasis basis;
     std::vector<ContactClamp> contacts;
     std::unique_ptr<CurveOrder> order;
+    std::vector<int> owners;  ///< per sample: the group that moves it in this frame
   };
 
+  void claimRows(const FAPMotion& motion);
   bool displace(const FAPFrame& frame);
   void limitGroups(const FAPFrame& frame);
 

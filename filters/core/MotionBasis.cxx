@@ -81,6 +81,7 @@ std::string MotionBasis::collectParts(const FaceCurves& face, const AnimationTab
   for (const AnimationEntry& entry : table.entries()) {
     const std::string id(fapDefinition(entry.fap).featurePoint);
     const FeaturePoint* feature = face.feature(id);
+    if (!feature && entry.optional) continue;
     if (!feature) return named(entry.fap, "the face has no feature point " + id + ", which this FAP moves");
     bool found = false;
     for (const AnimationPart& part : entry.parts) {
@@ -166,7 +167,7 @@ void MotionBasis::buildMotion(const AnimationEntry& entry, const BoundParts& par
     for (int i = 0; i < intervals; ++i) slopes.row(i) = unit * part.part->slopes[i].transpose();
     addPart(part, curves, slopes, motion);
   }
-  motions_.push_back(std::move(motion));
+  if (!motion.rows.empty()) motions_.push_back(std::move(motion));
 }
 
 std::string MotionBasis::bind(const FaceCurves& face, const AnimationTable& table, const FAPUnits& units) {
@@ -177,17 +178,11 @@ std::string MotionBasis::bind(const FaceCurves& face, const AnimationTable& tabl
   if (!fault.empty()) return fault;
   for (const AnimationEntry& entry : table.entries())
     buildMotion(entry, parts, face.curves, units.perValue(fapDefinition(entry.fap).unit));
-  for (int group = 0; group < static_cast<int>(groups_.size()); ++group) keepOwnPoints(group);
+  for (std::vector<int>& points : pointsOfGroup_) {
+    const std::set<int> once(points.begin(), points.end());
+    points.assign(once.begin(), once.end());
+  }
   return {};
-}
-
-/// Leaves to a group the points that no other FAP moves: only these are bound by its displacements alone.
-void MotionBasis::keepOwnPoints(int group) {
-  std::set<int> own(pointsOfGroup_[group].begin(), pointsOfGroup_[group].end());
-  for (const FAPMotion& motion : motions_)
-    for (int row : motion.rows)
-      if (motion.group != group) own.erase(row);
-  pointsOfGroup_[group].assign(own.begin(), own.end());
 }
 
 const FAPMotion* MotionBasis::motion(int fap) const {

@@ -42,7 +42,7 @@ class MotionBasis {
   /// The weights of a FAP on a curve (0 where it does nothing), K values.
   Eigen::VectorXd weights(int fap, int curve) const;
 
-  /// Samples on the curves that a group moves (followers left out) and that no FAP outside the group moves.
+  /// Samples on the curves that a group moves (followers left out), ascending.
   const std::vector<int>& pointsOfGroup(int group) const { return pointsOfGroup_[group]; }
 
   /// The value that counts: finite, and not beyond `largestValue`.
@@ -57,7 +57,6 @@ class MotionBasis {
   void addPart(const BoundPart& part, const ClosedCurves& curves, const ClosedCurves::Points& slopes,
                FAPMotion& motion);
   int groupNumber(const std::string& name);
-  void keepOwnPoints(int group);
 
   std::vector<FAPMotion> motions_;
   std::vector<std::string> groups_;

@@ -27,6 +27,8 @@ Eigen::Vector3d direction(int fap) {
       return {-1, 0, 0};
     case FAPDirection::Up:
       return {0, 1, 0};
+    case FAPDirection::Forward:
+      return {0, 0, 1};
     default:
       return {0, -1, 0};
   }
@@ -36,7 +38,15 @@ class FaceAnimatorTest : public testing::TestWithParam<int> {
  protected:
   void SetUp() override {
     face = SyntheticFace::make(GetParam());
-    ASSERT_EQ(animator.bind(face, defaultTable()), "");
+    table = defaultTable();
+    ASSERT_EQ(animator.bind(face, table), "");
+  }
+
+  FAPFrame randomFrameOfAll(double range) {
+    FAPFrame frame;
+    std::uniform_real_distribution<double> values(-range, range);
+    for (const AnimationEntry& entry : table.entries()) frame.setValue(entry.fap, values(random));
+    return frame;
   }
 
   FAPFrame randomFrame(double range) {
@@ -70,6 +80,7 @@ class FaceAnimatorTest : public testing::TestWithParam<int> {
     ASSERT_GE((columns * gap).minCoeff(), -0.1);
   }
 
+  AnimationTable table;
   FaceCurves face;
   FaceAnimator animator;
   std::mt19937 random{7};
@@ -104,10 +115,52 @@ TEST_P(FaceAnimatorTest, EachFapMovesItsFeaturePointExactly) {
     }
 }
 
+TEST_P(FaceAnimatorTest, EveryFapOfTheTableMovesItsFeaturePointExactly) {
+  for (const AnimationEntry& entry : table.entries())
+    for (double value : {1.0, 200.0, -200.0}) {
+      FAPFrame frame;
+      frame.setValue(entry.fap, value);
+      const ClosedCurves& moved = animator.animate(frame);
+      const FeaturePoint* feature = face.feature(std::string(fapDefinition(entry.fap).featurePoint));
+      const Eigen::Vector3d shift = moved.at(feature->curve, feature->v) - face.curves.at(feature->curve, feature->v);
+      const Eigen::Vector3d expected =
+          value * animator.units().perValue(fapDefinition(entry.fap).unit) * direction(entry.fap);
+      EXPECT_LT((shift - expected).norm(), 1e-9) << "FAP " << entry.fap << " = " << value;
+    }
+}
+
+TEST_P(FaceAnimatorTest, AFapMovesNothingOutsideItsEntry) {
+  for (const AnimationEntry& entry : table.entries()) {
+    FAPFrame frame;
+    frame.setValue(entry.fap, 50.0);
+    const ClosedCurves& moved = animator.animate(frame);
+    if (animator.contactSamples() > 0) continue;
+    for (int c = 0; c < moved.count; ++c) {
+      Eigen::VectorXd weights = animator.basis().weights(entry.fap, c);
+      if (weights.size() == 0) weights = Eigen::VectorXd::Zero(GetParam());
+      for (int j = 0; j < GetParam(); ++j)
+        if (weights[j] == 0.0) {
+          ASSERT_EQ(moved.curve(c).row(j), face.curves.curve(c).row(j)) << "FAP " << entry.fap << " curve " << c;
+        }
+    }
+  }
+}
+
+TEST_P(FaceAnimatorTest, RandomFramesOfAllFapsNeverCross) {
+  const Eigen::MatrixXd columns = fineColumns(GetParam());
+  for (int trial = 0; trial < 500; ++trial) {
+    FaceCurves checked = face;
+    checked.curves = animator.animate(randomFrameOfAll(600.0));
+    expectNoCrossing(checked.curves, FaceLayout::upperLip, FaceLayout::lowerLip, columns);
+    expectNoCrossing(checked.curves, 8, 9, columns);
+    ASSERT_EQ(describeFault(checked), "");
+  }
+}
+
 TEST_P(FaceAnimatorTest, MirroredFapsGiveMirroredCurves) {
   const int k = GetParam();
   for (int trial = 0; trial < 50; ++trial) {
-    const FAPFrame frame = randomFrame(400.0);
+    const FAPFrame frame = trial % 2 == 0 ? randomFrame(400.0) : randomFrameOfAll(400.0);
     const ClosedCurves moved = animator.animate(frame);
     const ClosedCurves& other = animator.animate(mirrored(frame));
     double largest = 0.0;

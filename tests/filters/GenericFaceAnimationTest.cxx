@@ -88,6 +88,33 @@ TEST_F(GenericFaceAnimation, RandomFramesStayBoundedAndNeverCross) {
   }
 }
 
+TEST_F(GenericFaceAnimation, AllFapsOfTheTableAreExactAloneAndNeverCrossTogether) {
+  const Eigen::MatrixXd columns = fineColumns(face.curves.pointsPerCurve);
+  AnimationTable table;
+  ASSERT_EQ(readAnimationTable("", table), "");
+  for (const AnimationEntry& entry : table.entries()) {
+    FAPFrame frame;
+    frame.setValue(entry.fap, 100.0);
+    const ClosedCurves& moved = animator.animate(frame);
+    const FeaturePoint* feature = face.feature(std::string(fapDefinition(entry.fap).featurePoint));
+    const Eigen::Vector3d shift = moved.at(feature->curve, feature->v) - face.curves.at(feature->curve, feature->v);
+    EXPECT_NEAR(shift.norm(), 100.0 * animator.units().perValue(fapDefinition(entry.fap).unit), 1e-9) << entry.fap;
+  }
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> values(-600.0, 600.0);
+  for (int trial = 0; trial < 1000; ++trial) {
+    FAPFrame frame;
+    for (const AnimationEntry& entry : table.entries()) frame.setValue(entry.fap, values(random));
+    FaceCurves moved = face;
+    moved.curves = animator.animate(frame);
+    ASSERT_EQ(describeFault(moved), "");
+    for (int upper : {8, FaceLayout::upperLip}) {
+      ASSERT_GE(gap(moved.curves, upper).minCoeff(), 0.0);
+      ASSERT_GE((columns * gap(moved.curves, upper)).minCoeff(), -0.1);
+    }
+  }
+}
+
 TEST_F(GenericFaceAnimation, OneIrisDiameterClosesTheEye) {
   FAPFrame frame;
   frame.setValue(19, 1024.0);

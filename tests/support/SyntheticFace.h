@@ -91,14 +91,18 @@ class SyntheticFace {
                            {"5.3", "5.4", "C13", 42.0},
                            {"8.3", "8.4", "C22", 26.0},
                            {"2.4", "2.5", "C22", 24.0},
-                           {"5.1", "5.2", "C21", 48.0}}) {
+                           {"5.1", "5.2", "C21", 48.0},
+                           {"2.6", "2.7", "C22", 12.0},
+                           {"2.8", "2.9", "C22'", 12.0},
+                           {"8.5", "8.6", "C21", 13.0},
+                           {"8.7", "8.8", "C23", 13.0}}) {
       const int curve = mien::FaceLayout::curveIndex(p.curve);
       const double v = parameterAt(face, curve, p.x);
       face.features.push_back({p.left, curve, v});
       face.features.push_back({p.right, curve, 2.0 * M_PI - v});
     }
     for (const auto& [id, curve] :
-         {std::pair{"2.2", "C22"}, {"2.3", "C22'"}, {"8.1", "C21"}, {"8.2", "C23"}, {"9.3", "C15"}, {"9.15", "C18"}})
+         {std::pair{"2.2", "C22"}, {"2.3", "C22'"}, {"8.1", "C21"}, {"8.2", "C23"}, {"9.3", "C15"}, {"9.15", "C18"}, {"2.1", "C28"}, {"2.10", "C26"}})
       face.features.push_back({id, mien::FaceLayout::curveIndex(curve), M_PI});
   }
 };
