@@ -6,6 +6,7 @@
 #include "AnimationTableFile.h"
 #include "ExpressionsFile.h"
 #include "FaceLayout.h"
+#include "VisemesFile.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -58,6 +59,15 @@ const ExpressionLibrary& defaultExpressions() {
   static const ExpressionLibrary library = [] {
     ExpressionLibrary parsed;
     parsed.parse(ExpressionsFile());
+    return parsed;
+  }();
+  return library;
+}
+
+const ExpressionLibrary& defaultVisemes() {
+  static const ExpressionLibrary library = [] {
+    ExpressionLibrary parsed;
+    parsed.parse(VisemesFile());
     return parsed;
   }();
   return library;

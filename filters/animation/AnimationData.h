@@ -20,6 +20,9 @@ MIENANIMATION_EXPORT std::string readAnimationTable(const std::string& fileName,
 /// The expressions compiled in.
 MIENANIMATION_EXPORT const ExpressionLibrary& defaultExpressions();
 
+/// The visemes compiled in, 1 .. 14.
+MIENANIMATION_EXPORT const ExpressionLibrary& defaultVisemes();
+
 /// Writes curves that moved as a copy of the data they were read from (readFaceCurves), with all its arrays and
 /// the point array `Displacement` (mm).
 void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* input, vtkPolyData* output);

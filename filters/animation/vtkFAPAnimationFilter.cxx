@@ -9,6 +9,7 @@
 #include "BoundaryCurveData.h"
 #include "FAPTableData.h"
 #include "FaceAnimator.h"
+#include "HighLevelFAPs.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
@@ -233,6 +234,7 @@ int vtkFAPAnimationFilter::RequestData(vtkInformation*, vtkInformationVector** i
     vtkErrorMacro(<< fault);
     return 0;
   }
+  mien::resolveHighLevelFAPs(mien::defaultVisemes(), mien::defaultExpressions(), frame);
   addValues(this->Impl->Values, frame);
   for (const auto& [name, intensity] : this->Impl->Expressions) mien::defaultExpressions().add(name, intensity, frame);
   if (this->GetAbortExecute()) return 1;

@@ -40,8 +40,9 @@ std::string ExpressionLibrary::parse(const std::string& json) {
   std::vector<ExpressionProfile> expressions;
   try {
     const Json root = Json::parse(json);
-    if (!root.is_object() || root.value("format", Json()) != "mien expressions")
-      return "expressions: \"format\" is not \"mien expressions\"";
+    const Json format = root.is_object() ? root.value("format", Json()) : Json();
+    if (format != "mien expressions" && format != "mien visemes")
+      return "expressions: \"format\" is not \"mien expressions\" or \"mien visemes\"";
     if (root.value("version", Json()) != version) return "expressions: the version is not 1, the only one known";
     for (const Json& expression : root.at("expressions")) expressions.push_back(parseExpression(expression));
   } catch (const std::exception& error) {
@@ -54,6 +55,12 @@ std::string ExpressionLibrary::parse(const std::string& json) {
 const ExpressionProfile* ExpressionLibrary::find(const std::string& name) const {
   const auto found =
       std::find_if(expressions_.begin(), expressions_.end(), [&](const auto& e) { return e.name == name; });
+  return found == expressions_.end() ? nullptr : &*found;
+}
+
+const ExpressionProfile* ExpressionLibrary::find(int select) const {
+  const auto found =
+      std::find_if(expressions_.begin(), expressions_.end(), [&](const auto& e) { return e.select == select; });
   return found == expressions_.end() ? nullptr : &*found;
 }
 

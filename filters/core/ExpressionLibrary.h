@@ -16,7 +16,8 @@ struct ExpressionProfile {
   std::vector<std::pair<int, double>> values;  ///< FAP number and value
 };
 
-/// Named expressions, read from JSON: {"format": "mien expressions", "version": 1, "expressions": [...]}.
+/// Named expressions or visemes, read from JSON: {"format": "mien expressions" or "mien visemes", "version": 1,
+/// "expressions": [...]}.
 class ExpressionLibrary {
  public:
   static constexpr int version = 1;
@@ -27,6 +28,8 @@ class ExpressionLibrary {
 
   const std::vector<ExpressionProfile>& expressions() const { return expressions_; }
   const ExpressionProfile* find(const std::string& name) const;  ///< or nullptr
+
+  const ExpressionProfile* find(int select) const;              ///< by the number in FAP 1 or 2, or nullptr
 
   /// Adds intensity x values to a frame.
   /// @param intensity 0 (nothing) .. 1 (full); values outside are brought to the nearer end

@@ -1,0 +1,89 @@
+/**
+ * @class vtkMotionVectorFilter
+ * @brief motion vectors from one surface to another of the same topology
+ *
+ * Inputs: port 0 the moved surface, port 1 the neutral one (any vtkPointSet each, mm), with the same points and cells.
+ * Output: vtkPolyData with one vertex per point at the neutral point (the origin of the vector), the neutral point arrays,
+ * and the point arrays (double) `MotionVector` (3 components, mm), `Magnitude` (mm, length of the vector in space),
+ * `ProjectedOrigin` and `ProjectedVector` (2 components, mm: right and up in the plane of the picture).
+ *
+ * Equation: vector = moved - neutral [Sheng et al. 2011, section 5]; the projection is orthogonal along ViewDirection. With
+ * RemoveRigidMotion the rigid motion that takes the neutral points nearest to the moved ones [Kabsch 1976] is undone first.
+ * Limitations: the fit sees all points alike, so that a large one-sided movement is taken for a little head motion.
+ * Errors: an input without points, points that are not finite, different topology, a view up along the view direction.
+ * @sa vtkFAPAnimationFilter
+ */
+#ifndef vtkMotionVectorFilter_h
+#define vtkMotionVectorFilter_h
+
+#include <string>
+#include <vector>
+
+#include "MienAnimationModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class vtkPointSet;
+
+class MIENANIMATION_EXPORT vtkMotionVectorFilter : public vtkPolyDataAlgorithm {
+ public:
+  static vtkMotionVectorFilter* New();
+  vtkTypeMacro(vtkMotionVectorFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The surface that the vectors start from (port 1). */
+  void SetNeutralConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetNeutralData(vtkDataObject* neutral) { this->SetInputData(1, neutral); }
+  ///@}
+
+  ///@{
+  /** Whether the motion of the head as a whole is removed. Default off. */
+  vtkSetMacro(RemoveRigidMotion, bool);
+  vtkGetMacro(RemoveRigidMotion, bool);
+  vtkBooleanMacro(RemoveRigidMotion, bool);
+  ///@}
+
+  ///@{
+  /** From the surface to the viewer. Default (0, 0, 1), the front; any vector but 0. */
+  vtkSetVector3Macro(ViewDirection, double);
+  vtkGetVector3Macro(ViewDirection, double);
+  ///@}
+
+  ///@{
+  /** What is up in the picture. Default (0, 1, 0); any vector not along ViewDirection. */
+  vtkSetVector3Macro(ViewUp, double);
+  vtkGetVector3Macro(ViewUp, double);
+  ///@}
+
+  ///@{
+  /** Results of the last update: the longest vector (mm), and the rigid motion removed (degrees; 9 numbers row by row; mm). */
+  vtkGetMacro(LargestMagnitude, double);
+  vtkGetMacro(RigidAngle, double);
+  std::vector<double> GetRigidRotation() const { return this->RigidRotation; }
+  std::vector<double> GetRigidTranslation() const { return this->RigidTranslation; }
+  ///@}
+
+ protected:
+  vtkMotionVectorFilter();
+  ~vtkMotionVectorFilter() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+ private:
+  vtkMotionVectorFilter(const vtkMotionVectorFilter&) = delete;
+  void operator=(const vtkMotionVectorFilter&) = delete;
+
+  struct Field;
+  std::string Compute(vtkPointSet* moved, vtkPointSet* neutral, Field& field);
+  void Write(vtkPointSet* neutral, const Field& field, vtkPolyData* output);
+
+  bool RemoveRigidMotion = false;
+  double ViewDirection[3] = {0.0, 0.0, 1.0};
+  double ViewUp[3] = {0.0, 1.0, 0.0};
+  double LargestMagnitude = 0.0;
+  double RigidAngle = 0.0;
+  std::vector<double> RigidRotation;
+  std::vector<double> RigidTranslation;
+};
+
+#endif
