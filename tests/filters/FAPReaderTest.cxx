@@ -192,5 +192,5 @@ TEST_F(FAPReader, PlaysEveryReferenceFile) {
     EXPECT_EQ(value("frame"), reader->GetSequence().frames[last].number) << entry.path();
     ++files;
   }
-  EXPECT_EQ(files, 14);
+  EXPECT_GE(files, 14);
 }

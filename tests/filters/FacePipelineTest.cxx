@@ -1,5 +1,7 @@
 #include "FacePipeline.h"
 
+#include "TemporaryFolder.h"
+#include "TextFile.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPointData.h"
@@ -8,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
+#include <sstream>
 
 namespace {
 
@@ -73,14 +75,15 @@ TEST(FacePipeline, ErrorsComeBackAsOneSentenceAndCanBeMended) {
 }
 
 /// Three frames that open the left lid, numbered 10, 20, 30 at 2 frames per second.
-std::string writeAnimation() {
-  const std::string name = testing::TempDir() + "face_pipeline_lids.fap";
-  std::ofstream file(name);
+std::string writeAnimation(const TemporaryFolder& folder) {
+  const std::string name = folder.file("lids.fap");
+  std::ostringstream file;
   file << "2.1 lids 2 3\n";
   for (int i = 0; i < 3; ++i) {
     for (int fap = 1; fap <= 68; ++fap) file << (fap == 19 ? "1 " : "0 ");
     file << "\n" << 10 * (i + 1) << " " << 100 * i << "\n";
   }
+  writeTextFile(name, file.str());
   return name;
 }
 
@@ -101,7 +104,8 @@ double largestDisplacement(FacePipeline& pipeline, const FaceState& state) {
 
 TEST(FacePipeline, AFrameIsChosenByIndexNumberOrTime) {
   using Choice = FaceState::FrameChoice;
-  const std::string file = writeAnimation();
+  const TemporaryFolder folder;
+  const std::string file = writeAnimation(folder);
   FacePipeline pipeline;
   EXPECT_EQ(largestDisplacement(pipeline, animated(file, Choice::Index, 0)), 0.0);
   const double one = largestDisplacement(pipeline, animated(file, Choice::Index, 1));
@@ -116,7 +120,8 @@ TEST(FacePipeline, AFrameIsChosenByIndexNumberOrTime) {
 
 TEST(FacePipeline, OwnFAPsAddToThoseOfTheFile) {
   FacePipeline pipeline;
-  const std::string file = writeAnimation();
+  const TemporaryFolder folder;
+  const std::string file = writeAnimation(folder);
   const double two = largestDisplacement(pipeline, animated(file, FaceState::FrameChoice::Index, 2));
   FaceState state = animated(file, FaceState::FrameChoice::Index, 1);
   state.fapValues[19] = 100.0;
@@ -138,7 +143,8 @@ TEST(FacePipeline, AnExpressionMovesTheFaceInProportion) {
 
 TEST(FacePipeline, AMissingFrameOrExpressionIsNamedAndCanBeMended) {
   FacePipeline pipeline;
-  const std::string file = writeAnimation();
+  const TemporaryFolder folder;
+  const std::string file = writeAnimation(folder);
   pipeline.setState(animated(file, FaceState::FrameChoice::Index, 3));
   EXPECT_EQ(pipeline.update(), file + ": there is no frame with index 3; indices run from 0 to 2");
   pipeline.setState(animated(file, FaceState::FrameChoice::Number, 15));

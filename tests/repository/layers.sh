@@ -20,5 +20,17 @@ forbid "filters include Qt; it belongs into widgets and app" '(Q[A-Z]|Qt|qwt)' f
 forbid "OpenMesh belongs into filters/acquisition" 'OpenMesh' filters --exclude-dir=acquisition
 forbid "OpenMesh belongs into filters/acquisition" 'OpenMesh' widgets
 forbid "OpenMesh belongs into filters/acquisition" 'OpenMesh' app
-forbid "widgets include a program's headers" '.*app/' widgets
+
+# headers FOLDER: a pattern for including a header of FOLDER, by its name or with folders before it. Names that
+# filters have too are left out: they need a folder before them, which the last pattern sees.
+headers() {
+  find "$1" -name '*.h' | sed 's|.*/||' | sort -u | while read -r name; do
+    [ -n "$(find filters -name "$name")" ] || echo "$name"
+  done | sed 's/[.]/[.]/g' | paste -sd '|' -
+}
+above() { echo "(([^\">]*/)?($(headers "$1"))|[^\">]*$1/[^\">]*)[\">]"; }
+
+forbid "filters include a program's headers" "$(above app)" filters
+forbid "filters include headers of widgets" "$(above widgets)" filters
+forbid "widgets include a program's headers" "$(above app)" widgets
 exit $status
