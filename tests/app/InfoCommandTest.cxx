@@ -94,4 +94,24 @@ TEST(InfoCommand, MalformedAnimationIsRefusedWithFileAndLine) {
   EXPECT_EQ(outcome.output, "");
 }
 
+/// The files are called lineN_what.fap, N being the line that must be named.
+TEST(InfoCommand, EveryMalformedAnimationIsRefusedWithFileAndLineByEveryCommandThatReadsIt) {
+  const TemporaryFolder folder;
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(MIEN_TEST_DIR "/data/malformed/fap")) {
+    const std::string file = entry.path().string(), name = entry.path().filename().string();
+    const std::string place = "mien: " + file + ":" + std::to_string(std::stoi(name.substr(4))) + ": ";
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"info", file}, {"curves", "--fap", file, "--index", "0", "-o", folder.file("curves.csv")}}) {
+      const Outcome outcome = runMien(words);
+      EXPECT_EQ(outcome.exitCode, 1) << name;
+      EXPECT_EQ(outcome.errors.rfind(place, 0), 0u) << outcome.errors;
+      EXPECT_EQ(outcome.output, "") << name;
+    }
+    ++files;
+  }
+  EXPECT_GE(files, 37);
+  EXPECT_EQ(entriesIn(folder.file("")), 0) << "a refused animation must leave no file";
+}
+
 }  // namespace

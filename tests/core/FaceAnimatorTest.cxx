@@ -4,6 +4,7 @@
 #include <random>
 
 #include "DataFile.h"
+#include "FAPAxis.h"
 #include "FAPTable.h"
 #include "FaceAnimator.h"
 #include "FineColumns.h"
@@ -17,21 +18,6 @@ AnimationTable defaultTable() {
   AnimationTable table;
   EXPECT_EQ(table.parse(readDataFile("animation/animation_table.json")), "");
   return table;
-}
-
-Eigen::Vector3d direction(int fap) {
-  switch (fapDefinition(fap).positiveMotion) {
-    case FAPDirection::Left:
-      return {1, 0, 0};
-    case FAPDirection::Right:
-      return {-1, 0, 0};
-    case FAPDirection::Up:
-      return {0, 1, 0};
-    case FAPDirection::Forward:
-      return {0, 0, 1};
-    default:
-      return {0, -1, 0};
-  }
 }
 
 class FaceAnimatorTest : public testing::TestWithParam<int> {
@@ -109,7 +95,7 @@ TEST_P(FaceAnimatorTest, EachFapMovesItsFeaturePointExactly) {
       const ClosedCurves& moved = animator.animate(frame);
       const FeaturePoint* feature = face.feature(std::string(fapDefinition(fap).featurePoint));
       const Eigen::Vector3d shift = moved.at(feature->curve, feature->v) - face.curves.at(feature->curve, feature->v);
-      const Eigen::Vector3d expected = value * animator.units().perValue(fapDefinition(fap).unit) * direction(fap);
+      const Eigen::Vector3d expected = value * animator.units().perValue(fapDefinition(fap).unit) * fapAxis(fap);
       EXPECT_LT((shift - expected).norm(), 1e-9) << "FAP " << fap << " = " << value;
       EXPECT_EQ(animator.keptShare(), 1.0) << "FAP " << fap << " = " << value;
     }

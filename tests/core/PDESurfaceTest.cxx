@@ -1,5 +1,6 @@
 #include "PDESurface.h"
 
+#include "FaceLebesgue.h"
 #include "FaceSurface.h"
 #include "RandomCurves.h"
 #include "SharedDerivatives.h"
@@ -48,18 +49,32 @@ double largestMiss(const RowMajor<double>& grid, int row, const ClosedCurves& cu
 
 }  // namespace
 
+namespace {
+
+/// The largest distance between the curves of a four-curve face and its surface, over what the solution's condition allows.
+double fourCurveMiss(double a, int modes, int pointsPerCurve) {
+  const FaceCurves face = randomFace(pointsPerCurve);
+  FaceSurfaceOptions options;
+  options.scheme = "four-curve";
+  options.modes = modes;
+  options.smoothing.fill(a);
+  PDESurface<double> surface = makeFace(options, 29, pointsPerCurve, columns(pointsPerCurve));
+  surface.setCurves(face.curves);
+  const RowMajor<double> grid = positions(surface);
+  double miss = 0.0;
+  for (int c = 0; c < FaceLayout::curveCount; ++c)
+    miss = std::max(miss, largestMiss(grid, rowOfCurve(c, 29), face.curves, c));
+  const double lebesgue = faceLebesgueConstant(options, HarmonicSplit(pointsPerCurve, modes, true));
+  return miss / (sizeOf(face.curves) * (1.0 + lebesgue));
+}
+
+}  // namespace
+
 TEST(PDESurface, FourCurveFaceMeetsEveryCurveAtEverySampleForEveryNumberOfModes) {
-  const FaceCurves face = randomFace();
-  for (int modes = 0; modes <= 20; ++modes) {
-    FaceSurfaceOptions options;
-    options.scheme = "four-curve";
-    options.modes = modes;
-    PDESurface<double> surface = makeFace(options, 29, 40, columns(40));
-    surface.setCurves(face.curves);
-    const RowMajor<double> grid = positions(surface);
-    for (int c = 0; c < FaceLayout::curveCount; ++c)
-      EXPECT_LE(largestMiss(grid, rowOfCurve(c, 29), face.curves, c), 1e-12 * sizeOf(face.curves)) << "N " << modes << " curve " << c;
-  }
+  for (const int pointsPerCurve : {16, 40, 64})
+    for (const double a : {0.1, 1.0, 5.0})
+      for (int modes = 0; modes <= pointsPerCurve / 2; ++modes)
+        EXPECT_LE(fourCurveMiss(a, modes, pointsPerCurve), 1e-12) << "K " << pointsPerCurve << " a " << a << " N " << modes;
 }
 
 TEST(PDESurface, WithoutTheRemainderCurvesAreMissed) {

@@ -8,6 +8,7 @@
 #include "FAPTable.h"
 #include "FaceAnimator.h"
 #include "FineColumns.h"
+#include "FAPAxis.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -46,17 +47,62 @@ Eigen::VectorXd gap(const ClosedCurves& curves, int upper) {
 
 }  // namespace
 
+TEST_F(GenericFaceAnimation, AZeroFrameGivesTheNeutralCurvesBitForBit) {
+  FAPFrame frame;
+  frame.setValue(52, -300.0);
+  EXPECT_NE(animator.animate(frame).points, face.curves.points);
+  EXPECT_EQ(animator.animate(FAPFrame()).points, face.curves.points);
+}
+
 TEST_F(GenericFaceAnimation, EachFapMovesItsFeaturePointExactly) {
   for (int fap : paperSubset())
-    for (double value : {-200.0, -50.0, 50.0, 200.0, 300.0}) {
+    for (double value : {-300.0, -200.0, -50.0, 50.0, 200.0, 300.0}) {
       FAPFrame frame;
       frame.setValue(fap, value);
       const ClosedCurves& moved = animator.animate(frame);
       const FeaturePoint* feature = face.feature(std::string(fapDefinition(fap).featurePoint));
       const Eigen::Vector3d shift = moved.at(feature->curve, feature->v) - face.curves.at(feature->curve, feature->v);
-      EXPECT_NEAR(shift.norm(), std::abs(value) * animator.units().perValue(fapDefinition(fap).unit), 1e-9)
-          << "FAP " << fap << " = " << value;
+      const Eigen::Vector3d expected = value * animator.units().perValue(fapDefinition(fap).unit) * fapAxis(fap);
+      EXPECT_LT((shift - expected).norm(), 1e-9) << "FAP " << fap << " = " << value;
     }
+}
+
+TEST_F(GenericFaceAnimation, MirroredFapsGiveMirroredCurves) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> values(-400.0, 400.0);
+  const int k = face.curves.pointsPerCurve;
+  for (int trial = 0; trial < 50; ++trial) {
+    FAPFrame frame;
+    for (int fap : paperSubset()) frame.setValue(fap, values(random));
+    const ClosedCurves moved = animator.animate(frame);
+    const ClosedCurves& other = animator.animate(mirrored(frame));
+    double largest = 0.0;
+    for (int c = 0; c < moved.count; ++c)
+      for (int j = 0; j < k; ++j) {
+        const Eigen::RowVector3d p = moved.curve(c).row(j), q = other.curve(c).row((k - j) % k);
+        largest = std::max(largest, (p - Eigen::RowVector3d(-q.x(), q.y(), q.z())).norm());
+      }
+    EXPECT_LT(largest, 1e-8);
+  }
+}
+
+TEST_F(GenericFaceAnimation, BrowAndLipWeightsAreNotNegativeAndSumToAtMostOne) {
+  const auto check = [&](std::initializer_list<int> faps, const char* curve) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(face.curves.pointsPerCurve);
+    for (int fap : faps) {
+      const Eigen::VectorXd weights = animator.basis().weights(fap, FaceLayout::curveIndex(curve));
+      EXPECT_GE(weights.minCoeff(), 0.0) << fap << " on " << curve;
+      sum += weights;
+    }
+    EXPECT_LE(sum.maxCoeff(), 1.0 + 1e-12) << curve;
+    EXPECT_GT(sum.maxCoeff(), 0.0) << curve;
+  };
+  for (const char* curve : {"C2", "C5", "C6", "C7", "C8"}) check({31, 32, 33, 34, 35, 36}, curve);
+  for (const char* curve : {"C20", "C21", "C22", "C22'", "C23", "C24"}) {
+    check({51, 59, 60}, curve);
+    check({52, 59, 60}, curve);
+    check({53, 54}, curve);
+  }
 }
 
 TEST_F(GenericFaceAnimation, RandomFramesStayBoundedAndNeverCross) {

@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -139,6 +140,38 @@ TEST(PDEFaceFilter, PiecesWithGhostLevelsEqualTheWhole) {
             }
       }
       EXPECT_EQ(std::count(owned.begin(), owned.end(), 0), 0);
+    }
+}
+
+TEST(PDEFaceFilter, CellsThatAreNoDuplicatesMakeUpTheWholeOnce) {
+  FaceCurves curves = randomFace();
+  curves.features = {{"2.4", 21, M_PI + 0.6}, {"2.5", 21, M_PI - 0.6}};
+  Face whole(curves);
+  whole.filter->Update();
+  vtkDataArray* patches = whole.grid()->GetCellData()->GetArray("PatchId");
+  for (const int pieces : {2, 3, 7})
+    for (const int ghostLevels : {1, 2}) {
+      Face part(curves);
+      std::vector<int> owners(55 * 40, 0);
+      int duplicates = 0;
+      for (int piece = 0; piece < pieces; ++piece) {
+        part.filter->UpdatePiece(piece, pieces, ghostLevels);
+        vtkUnsignedCharArray* ghosts = part.grid()->GetCellGhostArray();
+        ASSERT_NE(ghosts, nullptr);
+        int extent[6];
+        part.grid()->GetExtent(extent);
+        for (int j = extent[2]; j < extent[3]; ++j)
+          for (int i = extent[0]; i < extent[1]; ++i) {
+            int ijk[3] = {i, j, 0};
+            const vtkIdType cell = vtkStructuredData::ComputeCellIdForExtent(extent, ijk);
+            const bool duplicate = ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL;
+            duplicates += duplicate;
+            owners[j * 40 + i] += !duplicate;
+            EXPECT_EQ(part.grid()->GetCellData()->GetArray("PatchId")->GetTuple1(cell), patches->GetTuple1(j * 40 + i)) << i << " " << j;
+          }
+      }
+      EXPECT_EQ(std::count(owners.begin(), owners.end(), 1), 55 * 40) << pieces << " pieces, " << ghostLevels << " ghost levels";
+      EXPECT_GT(duplicates, 0);
     }
 }
 

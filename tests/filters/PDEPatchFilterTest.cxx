@@ -3,6 +3,7 @@
 #include "BoundaryCurveData.h"
 #include "ErrorCounter.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -10,9 +11,11 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -104,4 +107,90 @@ TEST(PDEPatchFilter, RefusesWhatMakesNoPatch) {
   Patch modes(cut(vase, {0, 0.3, 0.5, 1}));
   modes.filter->SetNumberOfModes(13);
   refused(modes, "0 .. 12");
+}
+
+TEST(PDEPatchFilter, PiecesWithGhostLevelsEqualTheWhole) {
+  const mien::ClosedCurves curves = cut(vase, {0, 0.3, 0.6, 1});
+  Patch whole(curves);
+  whole.filter->Update();
+  for (const int pieces : {2, 3, 7})
+    for (const int ghostLevels : {0, 1, 2}) {
+      Patch part(curves);
+      std::vector<int> owners(30 * 48, 0);
+      for (int piece = 0; piece < pieces; ++piece) {
+        part.filter->UpdatePiece(piece, pieces, ghostLevels);
+        vtkStructuredGrid* grid = part.filter->GetOutput();
+        int extent[6];
+        grid->GetExtent(extent);
+        EXPECT_LT(grid->GetNumberOfPoints(), 31 * 49);
+        for (int j = extent[2]; j <= extent[3]; ++j)
+          for (int i = extent[0]; i <= extent[1]; ++i) {
+            int ijk[3] = {i, j, 0};
+            const vtkIdType id = vtkStructuredData::ComputePointIdForExtent(extent, ijk);
+            for (int c = 0; c < 3; ++c) {
+              // double precision: sums over fewer columns are grouped otherwise and differ in their last digit
+              ASSERT_NEAR(grid->GetPoint(id)[c], whole.filter->GetOutput()->GetPoint(j * 49 + i)[c], 1e-14) << i << " " << j;
+              ASSERT_NEAR(grid->GetPointData()->GetNormals()->GetComponent(id, c),
+                          whole.filter->GetOutput()->GetPointData()->GetNormals()->GetComponent(j * 49 + i, c), 1e-14);
+            }
+            if (i == extent[1] || j == extent[3]) continue;
+            vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+            const vtkIdType cell = vtkStructuredData::ComputeCellIdForExtent(extent, ijk);
+            owners[j * 48 + i] += !(ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL));
+          }
+      }
+      EXPECT_EQ(std::count(owners.begin(), owners.end(), 1), 30 * 48) << pieces << " pieces, " << ghostLevels << " ghost levels";
+      EXPECT_EQ(part.errors.count(), 0);
+    }
+}
+
+TEST(PDEPatchFilter, RunsAgainOnlyWhenSomethingChanged) {
+  Patch patch(cut(vase, {0, 0.3, 0.6, 1}));
+  int runs = 0;
+  vtkNew<vtkCallbackCommand> counter;
+  counter->SetClientData(&runs);
+  counter->SetCallback([](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  patch.filter->AddObserver(vtkCommand::EndEvent, counter);
+  const auto runsAfterUpdate = [&] { patch.filter->Update(); return runs; };
+  EXPECT_EQ(runsAfterUpdate(), 1);
+  patch.filter->SetSmoothing(patch.filter->GetSmoothing());
+  patch.filter->SetNumberOfModes(patch.filter->GetNumberOfModes());
+  patch.filter->SetRemainder(patch.filter->GetRemainder());
+  patch.filter->SetResolution(31, 48);
+  EXPECT_EQ(runsAfterUpdate(), 1);
+  patch.filter->SetSmoothing(2.0);
+  EXPECT_EQ(runsAfterUpdate(), 2);
+  for (const double u : {0.0, 0.3, 0.6, 1.0}) patch.filter->AddCondition(u, 0);
+  EXPECT_EQ(runsAfterUpdate(), 3);
+  patch.filter->ClearConditions();
+  EXPECT_EQ(runsAfterUpdate(), 4);
+  patch.curves->GetPoints()->SetPoint(30, 0.5, 0.25, 1.0);
+  patch.curves->GetPoints()->Modified();
+  patch.curves->Modified();
+  EXPECT_EQ(runsAfterUpdate(), 5);
+}
+
+TEST(PDEPatchFilter, AnAbortedUpdateLeavesNoHalfOutput) {
+  Patch patch(cut(vase, {0, 0.3, 0.6, 1}));
+  patch.filter->SetResolution(2000, 2000);
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  const auto observer = patch.filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  patch.filter->Update();
+  EXPECT_EQ(patch.filter->GetOutput()->GetNumberOfPoints(), 0);
+  patch.filter->RemoveObserver(observer);
+  patch.filter->SetAbortExecute(0);
+  patch.filter->Modified();
+  patch.filter->Update();
+  EXPECT_EQ(patch.filter->GetOutput()->GetNumberOfPoints(), 2000 * 2001);
+}
+
+TEST(PDEPatchFilter, EmptyInputIsRefused) {
+  Patch patch(cut(vase, {0, 0.3, 0.6, 1}));
+  patch.filter->Update();
+  patch.curves->Initialize();
+  patch.curves->Modified();
+  patch.filter->Update();
+  EXPECT_NE(patch.errors.first().find("there are no lines"), std::string::npos) << patch.errors.first();
+  EXPECT_EQ(patch.filter->GetOutput()->GetNumberOfPoints(), 0);
 }
