@@ -80,7 +80,7 @@ TEST(BoundaryCurveReader, CurvesOfTooFewOrOddPointsAreRefused) {
 TEST(BoundaryCurveReader, CoordinatesThatAreNoNumbersAreRefusedWithCurveAndPoint) {
   const double infinity = std::numeric_limits<double>::infinity(), nothing = std::nan("");
   for (const double value : {nothing, infinity, -infinity})
-    for (const int point : {0, 7, 39})
+    for (const int point : {7, 39})
       expectFaceRefused([&](mien::FaceCurves& face) { face.curves.curve(5)(point, 1) = value; },
                         "curve C6, point " + std::to_string(point) + " is not a finite number");
   expectFaceRefused([&](mien::FaceCurves& face) { face.curves.curve(mien::FaceLayout::lowerLip)(3, 0) = nothing; },
