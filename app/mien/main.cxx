@@ -76,6 +76,9 @@ int main(int argc, char** argv) {
   if (!unknown.empty()) return complain(unknown, wrongOption);
   mien::keepConsoleMessages();
   const int exitCode = run(program, argc, argv);
+  std::cout.flush();
+  if (exitCode == 0 && !std::cout)
+    return complain("the results cannot be written to standard output; is it closed, or the disk full?", wrongFile);
   if (exitCode == 0) std::cerr << mien::consoleMessages();
   return exitCode;
 }

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace {
 
-const std::vector<std::string> commands = {"info", "surface", "curves", "patch", "render", "animate", "acquire"};
+const std::vector<std::string> commands = {"info", "surface", "curves", "patch", "render", "animate", "acquire",
+                                           "continuity", "spectrum", "sweep", "influence", "compare"};
 
 TEST(Program, EveryCommandExplainsItselfWithAnExample) {
   const Outcome overview = runMien({"--help"});
@@ -33,6 +36,15 @@ TEST(Program, TellsItsVersion) {
   const Outcome version = runMien({"--version"});
   EXPECT_EQ(version.exitCode, 0);
   EXPECT_EQ(version.output.rfind("mien ", 0), 0u);
+}
+
+TEST(Program, ResultsThatCannotBeWrittenAreNoSuccess) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
+  const TemporaryFolder folder;
+  const std::string errors = folder.file("errors");
+  const int status = std::system((std::string(MIEN_PROGRAM) + " info >/dev/full 2>" + errors).c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  EXPECT_NE(readTextFile(errors).find("mien: the results cannot be written"), std::string::npos);
 }
 
 }  // namespace
