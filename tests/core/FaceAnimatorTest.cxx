@@ -110,7 +110,7 @@ TEST_P(FaceAnimatorTest, EveryFapOfTheTableMovesItsFeaturePointExactly) {
       const FeaturePoint* feature = face.feature(std::string(fapDefinition(entry.fap).featurePoint));
       const Eigen::Vector3d shift = moved.at(feature->curve, feature->v) - face.curves.at(feature->curve, feature->v);
       const Eigen::Vector3d expected =
-          value * animator.units().perValue(fapDefinition(entry.fap).unit) * direction(entry.fap);
+          value * animator.units().perValue(fapDefinition(entry.fap).unit) * fapAxis(entry.fap);
       EXPECT_LT((shift - expected).norm(), 1e-9) << "FAP " << entry.fap << " = " << value;
     }
 }
