@@ -104,7 +104,9 @@ std::string describeFault(const FaceSurfaceOptions& options, int pointsPerCurve)
   if (options.modes < 0 || options.modes > pointsPerCurve / 2)
     return "N = " + number(options.modes) + " is outside 0 .. " + number(pointsPerCurve / 2) + " (curves have " +
            number(pointsPerCurve) + " points)";
-  if (!std::isfinite(options.derivativeStrength)) return "the derivative strength is not a finite number";
+  if (!(std::abs(options.derivativeStrength) <= FaceSurfaceOptions::largestStrength))
+    return "the derivative strength " + number(options.derivativeStrength) + " is outside -" +
+           number(FaceSurfaceOptions::largestStrength) + " .. " + number(FaceSurfaceOptions::largestStrength);
   return describeRateFault(options, *scheme);
 }
 

@@ -14,12 +14,13 @@ namespace mien {
 /// What decides the shape of a PDE face between its curves.
 struct FaceSurfaceOptions {
   static constexpr double largestSmoothing = 1000.0;
+  static constexpr double largestStrength = 1000.0;  ///< either sign
 
   std::string scheme = "spline";
   std::array<double, FaceLayout::patchCount> smoothing = {1, 1, 1, 1, 1, 1, 1, 1, 1};  ///< a of each patch
   int modes = 5;                    ///< N
   bool remainder = true;
-  double derivativeStrength = 1.0;  ///< factor on shared derivatives [S 3.3]
+  double derivativeStrength = 1.0;  ///< factor on shared derivatives [S 3.3], -1000 .. 1000
 
   bool operator==(const FaceSurfaceOptions& other) const;
 };

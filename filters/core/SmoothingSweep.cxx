@@ -11,8 +11,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <limits>
 #include <memory>
+#include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace mien {
@@ -110,6 +113,25 @@ class Work {
     }
   }
 
+  /// The same, but keeps the first exception of any thread for rethrow() and ends the work of all.
+  template <class Function>
+  void runSafely(const Function& goOn) {
+    try {
+      run(goOn);
+    } catch (...) {
+      const std::lock_guard<std::mutex> guard(lock_);
+      if (!failure_) failure_ = std::current_exception();
+      cancelled_ = true;
+    }
+  }
+  void runUnseen() {
+    runSafely([](double) { return true; });
+  }
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+  size_t size() const { return records_.size(); }
   bool cancelled() const { return cancelled_; }
   std::vector<SweepRecord> take() { return std::move(records_); }
 
@@ -120,6 +142,29 @@ class Work {
   std::vector<SweepRecord> records_;
   std::atomic<size_t> next_{0}, done_{0};
   std::atomic<bool> cancelled_{false};
+  std::mutex lock_;
+  std::exception_ptr failure_;
+};
+
+/// Threads that are joined whatever happens; where the system gives no more, fewer do the work.
+class Helpers {
+ public:
+  ~Helpers() { join(); }
+
+  template <class Function>
+  void start(const Function& function) {
+    try {
+      threads_.emplace_back(function);
+    } catch (const std::system_error&) {
+    }
+  }
+  void join() {
+    for (std::thread& thread : threads_) thread.join();
+    threads_.clear();
+  }
+
+ private:
+  std::vector<std::thread> threads_;
 };
 
 }  // namespace
@@ -157,10 +202,11 @@ std::string describeFault(const SmoothingSweepOptions& sweep, int pointsPerCurve
 std::optional<std::vector<SweepRecord>> smoothingSweep(const FaceCurves& face, const SmoothingSweepOptions& options,
                                                        const std::function<bool(double)>& progress) {
   Work work(face, options);
-  std::vector<std::thread> helpers;
-  for (int i = 1; i < options.threads; ++i) helpers.emplace_back([&] { work.run([](double) { return true; }); });
-  work.run([&](double share) { return !progress || progress(share); });
-  for (std::thread& helper : helpers) helper.join();
+  Helpers helpers;
+  for (size_t i = 1; i < std::min<size_t>(std::max(options.threads, 1), work.size()); ++i) helpers.start([&] { work.runUnseen(); });
+  work.runSafely([&](double share) { return !progress || progress(share); });
+  helpers.join();
+  work.rethrow();
   if (work.cancelled()) return std::nullopt;
   return work.take();
 }

@@ -45,7 +45,7 @@ std::string describeFault(const SmoothingSweepOptions& options, int pointsPerCur
 /// All schemes at all a, scheme after scheme, a in the order given; the number of threads does not change a bit of it.
 ///
 /// @param progress  told the share that is done (0 .. 1), on the calling thread only; false cancels
-/// @return nothing when cancelled
+/// @return nothing when cancelled; an exception of any thread reaches the caller once all threads have ended
 std::optional<std::vector<SweepRecord>> smoothingSweep(const FaceCurves& face, const SmoothingSweepOptions& options,
                                                        const std::function<bool(double)>& progress = {});
 

@@ -1,6 +1,7 @@
 #include "SurfaceMesh.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
@@ -16,6 +17,8 @@
 #include "vtkTriangleFilter.h"
 
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace mien
 {
@@ -51,6 +54,35 @@ bool facesAgainstNormals(vtkPolyData* triangles)
     sum += vtkMath::Dot(normal, normals->GetTuple3(ids[0]));
   });
   return sum < 0.0;
+}
+
+std::string describeIdFault(const char* kind, vtkCellArray* cells, vtkIdType pointCount, const std::string& name)
+{
+  if (!cells->IsValid())
+    return "the " + std::string(kind) + " of the " + name + " have offsets that do not fit their point ids; export the mesh again";
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
+  {
+    cells->GetCellAtId(cell, ids);
+    for (const vtkIdType id : *ids)
+      if (id < 0 || id >= pointCount)
+        return "cell " + std::to_string(cell) + " of the " + kind + " of the " + name + " uses point " + std::to_string(id) +
+          " of " + std::to_string(pointCount) + "; export the mesh again";
+  }
+  return {};
+}
+
+std::string describeLengthFault(vtkFieldData* arrays, vtkIdType expected, const std::string& name)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() != expected)
+      return "array " + std::string(array->GetName() ? array->GetName() : "without a name") + " of the " + name + " has " +
+        std::to_string(array->GetNumberOfTuples()) + " values where " + std::to_string(expected) +
+        " are needed; export the mesh again";
+  }
+  return {};
 }
 
 void reverse(vtkPolyData* triangles)
@@ -114,6 +146,36 @@ vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface)
   return triangles;
 }
 
+std::string describeMeshFault(vtkPolyData* mesh, const std::string& name)
+{
+  const vtkIdType points = mesh->GetNumberOfPoints();
+  const std::pair<const char*, vtkCellArray*> kinds[] = { { "vertices", mesh->GetVerts() }, { "lines", mesh->GetLines() },
+    { "polygons", mesh->GetPolys() }, { "strips", mesh->GetStrips() } };
+  std::string fault;
+  for (const auto& [kind, cells] : kinds)
+    if (fault.empty())
+      fault = describeIdFault(kind, cells, points, name);
+  if (fault.empty())
+    fault = describeLengthFault(mesh->GetPointData(), points, name);
+  if (fault.empty())
+    fault = describeLengthFault(mesh->GetCellData(), mesh->GetNumberOfCells(), name);
+  vtkDataArray* normals = mesh->GetPointData()->GetNormals();
+  if (fault.empty() && normals && normals->GetNumberOfComponents() != 3)
+    fault = "the normals of the " + name + " do not have 3 components; export the mesh again";
+  return fault;
+}
+
+std::string readSurface(vtkDataObject* data, const std::string& name, bool largestOnly, SurfaceMesh& mesh)
+{
+  const auto surface = visibleSurface(data);
+  std::string fault = surface ? describeMeshFault(surface, name) : describeFault(nullptr, name);
+  if (!fault.empty())
+    return fault;
+  mesh.surface = largestOnly ? largestComponent(surface) : surface;
+  mesh.triangles = trianglesOf(mesh.surface);
+  return describeFault(mesh.triangles, name);
+}
+
 std::string describeFault(vtkPolyData* triangles, const std::string& name)
 {
   if (!triangles || triangles->GetNumberOfPolys() == 0)
@@ -122,6 +184,9 @@ std::string describeFault(vtkPolyData* triangles, const std::string& name)
     for (int xyz = 0; xyz < 3; ++xyz)
       if (!std::isfinite(triangles->GetPoint(i)[xyz]))
         return "point " + std::to_string(i) + " of the " + name + " is not finite; repair the mesh";
+  const std::vector<double> areas = pointAreas(triangles);
+  if (!(std::accumulate(areas.begin(), areas.end(), 0.0) > 0.0))
+    return "the " + name + " has no area, all its polygons are degenerate; give a surface mesh";
   return {};
 }
 

@@ -24,7 +24,21 @@ vtkSmartPointer<vtkPolyData> largestComponent(vtkPolyData* surface);
 /// Polygons and strips as triangles over the same points, wound like the point normals where the surface has them.
 vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface);
 
-/// One sentence that says why triangles can be no surface (none, points that are not finite), or nothing.
+/// One sentence that says which cell uses a point that is not there or which array does not fit, or nothing. VTK's own
+/// filters take a mesh's word for it, so this is asked before anything else walks a mesh from a file.
+std::string describeMeshFault(vtkPolyData* mesh, const std::string& name);
+
+/// A surface as it is shown and the triangles that measure it.
+struct SurfaceMesh
+{
+  vtkSmartPointer<vtkPolyData> surface, triangles;
+};
+
+/// Checks a mesh and takes it apart; nothing, or one sentence that says why `data` are no surface.
+/// @param largestOnly  of a mesh in parts only the largest
+std::string readSurface(vtkDataObject* data, const std::string& name, bool largestOnly, SurfaceMesh& mesh);
+
+/// One sentence that says why triangles can be no surface (none, points that are not finite, no area), or nothing.
 std::string describeFault(vtkPolyData* triangles, const std::string& name);
 
 /// Area that belongs to each point: a third of every triangle around it (mm2).

@@ -2,6 +2,7 @@
 
 #include "BoundaryCurveData.h"
 #include "FaceSurface.h"
+#include "SurfaceMesh.h"
 
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
@@ -25,6 +26,17 @@ void vtkPDEFaceAlgorithm::Change(T& property, const T& value)
     return;
   property = value;
   this->Modified();
+}
+
+void vtkPDEFaceAlgorithm::CopyParameters(vtkPDEFaceAlgorithm* other)
+{
+  if (other)
+    this->SetParameters(*other->Options);
+}
+
+void vtkPDEFaceAlgorithm::SetParameters(const mien::FaceSurfaceOptions& options)
+{
+  this->Change(*this->Options, options);
 }
 
 void vtkPDEFaceAlgorithm::SetScheme(const std::string& name)
@@ -120,18 +132,23 @@ int vtkPDEFaceAlgorithm::RequestInformation(vtkInformation*, vtkInformationVecto
 
 int vtkPDEFaceAlgorithm::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  vtkInformation* info = inputs[0]->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  mien::requestWhole(inputs[0]->GetInformationObject(0));
   return 1;
+}
+
+bool vtkPDEFaceAlgorithm::ReadCurves(vtkInformationVector** inputs, mien::FaceCurves& face)
+{
+  const std::string fault = mien::readFaceCurves(vtkPolyData::GetData(inputs[0]), face);
+  if (!fault.empty())
+    vtkErrorMacro(<< fault);
+  return fault.empty();
 }
 
 bool vtkPDEFaceAlgorithm::ReadInput(vtkInformationVector** inputs, mien::FaceCurves& face)
 {
-  std::string fault = mien::readFaceCurves(vtkPolyData::GetData(inputs[0]), face);
-  if (fault.empty())
-    fault = mien::describeFault(*this->Options, face.curves.pointsPerCurve);
+  if (!this->ReadCurves(inputs, face))
+    return false;
+  const std::string fault = mien::describeFault(*this->Options, face.curves.pointsPerCurve);
   if (!fault.empty())
     vtkErrorMacro(<< fault);
   return fault.empty();

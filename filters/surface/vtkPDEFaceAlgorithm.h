@@ -31,6 +31,10 @@ public:
   /** The curves as data; SetInputConnection() takes them from a pipeline. */
   void SetInputData(vtkDataObject* curves) { this->SetInputDataInternal(0, curves); }
 
+  /** Takes all the parameters below from another filter, or from a face as the mathematics describes it. */
+  void CopyParameters(vtkPDEFaceAlgorithm* other);
+  void SetParameters(const mien::FaceSurfaceOptions& options);
+
   ///@{
   /** How patches meet their curves: "spline" (default), "four-curve" (the paper's), "derivative", "sixth-order",
    *  "tangent", "curvature"; GetSchemeNames() lists them. */
@@ -61,7 +65,7 @@ public:
   ///@}
 
   ///@{
-  /** Factor on the derivative conditions of schemes that have them [S 3.3]. Default 1; any finite number. */
+  /** Factor on the derivative conditions of schemes that have them [S 3.3]. No unit; default 1, -1000 .. 1000. */
   void SetDerivativeStrength(double strength);
   double GetDerivativeStrength() const;
   ///@}
@@ -77,6 +81,9 @@ protected:
   virtual int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) = 0;
 
   const mien::FaceSurfaceOptions& GetOptions() const { return *this->Options; }
+
+  /// The curves on input port 0, whatever the parameters are; false, after an error, when they are unusable.
+  bool ReadCurves(vtkInformationVector** inputs, mien::FaceCurves& face);
 
   /// The curves on input port 0; false, after an error, when they or the parameters are unusable.
   bool ReadInput(vtkInformationVector** inputs, mien::FaceCurves& face);

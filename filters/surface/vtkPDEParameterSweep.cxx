@@ -50,11 +50,10 @@ std::string readReference(vtkDataObject* reference, std::unique_ptr<mien::Surfac
 {
   if (!reference)
     return {};
-  const auto surface = mien::visibleSurface(reference);
-  const auto triangles = surface ? mien::trianglesOf(surface) : nullptr;
-  const std::string fault = mien::describeFault(triangles, "reference mesh");
+  mien::SurfaceMesh mesh;
+  const std::string fault = mien::readSurface(reference, "reference mesh", false, mesh);
   if (fault.empty())
-    distance = std::make_unique<mien::SurfaceDistance>(triangles);
+    distance = std::make_unique<mien::SurfaceDistance>(mesh.triangles);
   return fault;
 }
 
@@ -214,7 +213,7 @@ int vtkPDEParameterSweep::RequestData(vtkInformation*, vtkInformationVector** in
 {
   this->Impl->breakdowns.clear();
   mien::FaceCurves face;
-  if (!this->ReadInput(inputs, face))
+  if (!this->ReadCurves(inputs, face))
     return 0;
   mien::SmoothingSweepOptions sweep = this->MakeSweep();
   std::unique_ptr<mien::SurfaceDistance> distance;

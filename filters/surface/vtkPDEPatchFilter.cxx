@@ -2,6 +2,7 @@
 
 #include "BoundaryCurveData.h"
 #include "SurfaceGrid.h"
+#include "SurfaceMesh.h"
 
 #include "vtkCellData.h"
 #include "vtkInformation.h"
@@ -159,10 +160,7 @@ int vtkPDEPatchFilter::RequestInformation(vtkInformation*, vtkInformationVector*
 // Whatever part of the surface is wanted, it takes whole curves.
 int vtkPDEPatchFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  vtkInformation* info = inputs[0]->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  mien::requestWhole(inputs[0]->GetInformationObject(0));
   return 1;
 }
 

@@ -36,9 +36,8 @@ const char* const portNames[] = { "surface", "reference mesh" };
 const char* const directionNames[] = { "to reference", "from reference" };
 
 /// One of the two surfaces on its way through the filter.
-struct Side
+struct Side : mien::SurfaceMesh
 {
-  vtkSmartPointer<vtkPolyData> surface, triangles;
   std::vector<double> areas, distances;
 };
 
@@ -83,11 +82,7 @@ void fillOutput(const Side& side, vtkPolyData* output)
 /// @return nothing, or one sentence that says why the data are no surface
 std::string readSide(vtkDataObject* data, int port, bool largestOnly, Side& side)
 {
-  side.surface = mien::visibleSurface(data);
-  if (side.surface && largestOnly)
-    side.surface = mien::largestComponent(side.surface);
-  side.triangles = side.surface ? mien::trianglesOf(side.surface) : nullptr;
-  const std::string fault = mien::describeFault(side.triangles, portNames[port]);
+  const std::string fault = mien::readSurface(data, portNames[port], largestOnly, side);
   if (fault.empty())
     side.areas = mien::pointAreas(side.triangles);
   return fault;

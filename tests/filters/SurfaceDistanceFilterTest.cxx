@@ -7,7 +7,9 @@
 
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPLYReader.h"
@@ -23,6 +25,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 namespace {
@@ -201,6 +204,51 @@ TEST(SurfaceDistanceFilter, RefusesWhatIsNoSurface) {
   Comparison notFinite(broken, sphere(1.0));
   notFinite.filter->Update();
   EXPECT_NE(notFinite.errors.first().find("point 7 of the surface"), std::string::npos);
+}
+
+// VTK's filters index with whatever ids a file holds: without a check these meshes end the process.
+TEST(SurfaceDistanceFilter, RefusesCellsAndArraysThatDoNotFitThePoints) {
+  const auto refused = [](const std::function<void(vtkPolyData*)>& damage, const char* word) {
+    for (const int port : {0, 1}) {
+      const auto damaged = sphere(1.0, 8);
+      damage(damaged);
+      Comparison comparison(port == 0 ? damaged : sphere(1.0, 8), port == 0 ? sphere(1.0, 8) : damaged);
+      comparison.filter->SetLargestComponentOnly(true);
+      comparison.filter->Update();
+      const std::string name = port == 0 ? "the surface" : "the reference mesh";
+      EXPECT_NE(comparison.errors.first().find(word), std::string::npos) << comparison.errors.first();
+      EXPECT_NE(comparison.errors.first().find(name), std::string::npos) << comparison.errors.first();
+      EXPECT_EQ(comparison.filter->GetOutput()->GetNumberOfPoints(), 0);
+    }
+  };
+  const auto cellsOf = [](vtkIdType wrong) {
+    vtkNew<vtkCellArray> cells;
+    const vtkIdType ids[3] = {0, 1, wrong};
+    cells->InsertNextCell(3, ids);
+    return vtkSmartPointer<vtkCellArray>(cells);
+  };
+  refused([&](vtkPolyData* mesh) { mesh->SetPolys(cellsOf(mesh->GetNumberOfPoints())); }, "polygons");
+  refused([&](vtkPolyData* mesh) { mesh->SetPolys(cellsOf(-1)); }, "uses point -1 of");
+  refused([&](vtkPolyData* mesh) { mesh->SetStrips(cellsOf(1000000000000)); }, "strips");
+  refused([&](vtkPolyData* mesh) { mesh->SetLines(cellsOf(-7)); }, "lines");
+  refused([&](vtkPolyData* mesh) { mesh->GetPointData()->GetNormals()->SetNumberOfTuples(3); }, "has 3 values");
+  refused([&](vtkPolyData* mesh) {
+    vtkNew<vtkDoubleArray> flat;
+    flat->SetName("flat");
+    flat->SetNumberOfComponents(1);
+    flat->SetNumberOfTuples(mesh->GetNumberOfPoints());
+    mesh->GetPointData()->SetNormals(nullptr);
+    mesh->GetPointData()->AddArray(flat);
+    mesh->GetPolys()->GetOffsetsArray()->SetTuple1(1, 100000.0);
+  }, "offsets");
+}
+
+TEST(SurfaceDistanceFilter, RefusesAMeshWithoutArea) {
+  const auto flat = sphere(1.0, 8);
+  for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i) flat->GetPoints()->SetPoint(i, 1.0 * i, 0.0, 0.0);
+  Comparison comparison(sphere(1.0), flat);
+  comparison.filter->Update();
+  EXPECT_NE(comparison.errors.first().find("the reference mesh has no area"), std::string::npos) << comparison.errors.first();
 }
 
 TEST(SurfaceDistanceFilter, AnAbortedUpdateLeavesNoHalfOutput) {
