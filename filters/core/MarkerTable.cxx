@@ -1,0 +1,141 @@
+#include "MarkerTable.h"
+
+#include "CommaText.h"
+#include "NumberText.h"
+
+#include <array>
+#include <set>
+#include <sstream>
+
+namespace mien {
+
+namespace {
+
+using Cells = std::vector<std::string>;
+
+const std::array<const char*, 6> positionNames = {"neutral_x",    "neutral_y",    "neutral_z",
+                                                  "expression_x", "expression_y", "expression_z"};
+
+struct Columns {
+  std::size_t count = 0;
+  int marker = -1, region = -1;
+  std::array<int, 6> positions{};
+
+  std::string find(const Cells& header) {
+    count = header.size();
+    marker = columnNamed(header, "marker");
+    region = columnNamed(header, "region");
+    for (std::size_t i = 0; i < 6; ++i) positions[i] = columnNamed(header, positionNames[i]);
+    const bool plane = marker >= 0 && positions[0] >= 0 && positions[1] >= 0 && positions[3] >= 0 && positions[4] >= 0;
+    if (!plane) return "the header must name marker, neutral_x, neutral_y, expression_x and expression_y";
+    if ((positions[2] < 0) != (positions[5] < 0)) return "give both neutral_z and expression_z, or neither";
+    return {};
+  }
+  bool hasDepth() const { return positions[2] >= 0; }
+};
+
+/// One row; `seen` is false for a marker with blank cells.
+std::string parseRow(const Cells& cells, const Columns& columns, const MarkerOptions& options, Marker& marker,
+                     bool& seen) {
+  if (cells.size() != columns.count)
+    return "there are " + std::to_string(cells.size()) + " cells under " + std::to_string(columns.count) +
+           " columns; give one for each, blank where a marker was not seen";
+  marker.name = cells[columns.marker];
+  if (marker.name.empty()) return "the marker has no name; give one";
+  seen = true;
+  for (int i = 0; i < 6; ++i) {
+    if (columns.positions[i] < 0) continue;
+    const std::string& cell = cells[columns.positions[i]];
+    const std::optional<double> value = parseNumber(cell);
+    if (!value && !cell.empty())
+      return marker.name + ": " + inQuotes(cell) + " in column " + positionNames[i] + " is no finite number";
+    seen = seen && value;
+    const double sign = (i % 3 == 0 && options.mirrored) || (i % 3 == 1 && options.yDown) ? -1.0 : 1.0;
+    (i < 3 ? marker.neutral : marker.expression)[i % 3] = sign * value.value_or(0.0);
+  }
+  const std::string region = columns.region < 0 ? "" : cells[columns.region];
+  if (region.empty()) return {};
+  const std::optional<std::int64_t> number = parseWholeNumber(region);
+  if (!number || *number < 1 || *number > 16)
+    return marker.name + ": " + inQuotes(region) + " is no region; regions run from 1 to 16, blank for by place";
+  marker.region = static_cast<int>(*number);
+  return {};
+}
+
+/// Mean height of the markers, which on any face lies below the pupils unless there are brows alone.
+bool standsOnItsHead(const MarkerTable& table) {
+  double sum = 0.0;
+  for (const Marker& marker : table.markers) {
+    const double height = table.neutral.apply(marker.neutral).y();
+    if (marker.name == "landmark08" || marker.name == "chin") return height > 0.0;
+    sum += height;
+  }
+  return sum > 0.0 && table.markers.size() >= 16;
+}
+
+/// The rows of a file before the pupils are taken out.
+struct Rows {
+  Columns columns;
+  MarkerTable table;
+  Marker left, right;
+  int last = 1;
+
+  std::string add(const Cells& cells, int line, const MarkerOptions& options) {
+    Marker marker;
+    marker.line = line;
+    bool seen = false;
+    const std::string fault = parseRow(cells, columns, options, marker, seen);
+    if (!fault.empty()) return fault;
+    if (!names.insert(marker.name).second) return marker.name + " is given twice; remove one of them";
+    if (!seen) table.missing.push_back(marker.name);
+    else if (marker.name == options.leftPupil) left = marker;
+    else if (marker.name == options.rightPupil) right = marker;
+    else table.markers.push_back(marker);
+    return {};
+  }
+
+ private:
+  std::set<std::string> names;
+};
+
+std::string at(int line, const std::string& fault) { return std::to_string(line) + ": " + fault; }
+
+std::string normalise(Rows& rows, const MarkerOptions& options) {
+  for (const auto& [pupil, name] : {std::pair(&rows.left, &options.leftPupil), {&rows.right, &options.rightPupil}})
+    if (!pupil->line) return at(rows.last, "the pupil " + *name + " is missing; every recording needs both pupils");
+  MarkerTable& table = rows.table;
+  const std::string neutral = table.neutral.set(rows.left.neutral, rows.right.neutral);
+  if (!neutral.empty()) return at(rows.left.line, "neutral: " + neutral);
+  const std::string expression = table.expression.set(rows.left.expression, rows.right.expression);
+  if (!expression.empty()) return at(rows.left.line, "expression: " + expression);
+  if (table.markers.empty()) return at(rows.last, "there is no marker besides the pupils");
+  if (standsOnItsHead(table))
+    return at(rows.left.line,
+              "the chin lies above the eyes; say that y runs downwards (--y-down), that the pictures are mirrored "
+              "(--mirrored), or exchange the pupils");
+  return {};
+}
+
+}  // namespace
+
+std::string MarkerTable::parse(const std::string& text, const MarkerOptions& options) {
+  std::istringstream stream(text);
+  std::string line;
+  std::getline(stream, line);
+  if (line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);
+  Rows rows;
+  std::string fault = rows.columns.find(splitAtCommas(line));
+  if (!fault.empty()) return at(1, fault);
+  for (int number = 2; std::getline(stream, line); ++number) {
+    if (line.find_first_not_of(" \t\r,") == std::string::npos) continue;
+    rows.last = number;
+    fault = rows.add(splitAtCommas(line), number, options);
+    if (!fault.empty()) return at(number, fault);
+  }
+  rows.table.hasDepth = rows.columns.hasDepth();
+  fault = normalise(rows, options);
+  if (fault.empty()) *this = rows.table;
+  return fault;
+}
+
+}  // namespace mien

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "FacialRegions.h"
+#include "PupilNormalisation.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace mien {
+
+/// What a point needs to know of the region map; normals and sides are optional (1 and 0).
+struct DeformationPoint {
+  Eigen::Vector3d position;  ///< in the face's own unit
+  double normalZ = 1.0;      ///< of the unit normal
+  LipSide side = 0.0;
+};
+
+/// Moves the points of one face by tables; the weights of the regions are computed once.
+///
+/// p' = p + strength c(p) sum_r w_r(p) (M_r(p) - p), with weights w of FacialRegions and c fading to 0 outside the fitted
+/// points. The length of the sum is limited to 1.5 times the largest fitted displacement, because quadratics run away
+/// where they were not fitted. z is carried along unchanged.
+class TableDeformation {
+ public:
+  static constexpr double displacementLimit = 1.5;
+
+  TableDeformation(const std::vector<DeformationPoint>& points, const PupilNormalisation& pupils,
+                   const FacialRegions& regions, bool smooth);
+
+  std::size_t size() const { return places_.size(); }
+
+  /// Displacements (x and y in the face's own unit; z is 0) of points begin .. end - 1. `limit` is the largest fitted
+  /// displacement, pupil units. May be called from several threads.
+  void displacements(const DeformationTable& table, double limit, double strength, std::size_t begin,
+                     std::size_t end, Eigen::Vector2d* result) const;
+
+ private:
+  struct Place {
+    Eigen::Vector2d point;  ///< pupil units
+    double coverage;
+    std::uint32_t first;  ///< of its shares
+    std::uint32_t count;
+  };
+  struct Share {
+    double weight;
+    int region;  ///< from 0
+  };
+  std::vector<Place> places_;
+  std::vector<Share> shares_;
+  Eigen::Matrix2d toFace_;  ///< pupil units to the face's own unit
+};
+
+/// The largest displacement a table was fitted to; where the table does not say, the largest within 0.4 of the regions'
+/// centres (pupil units).
+double fittedDisplacement(const DeformationTable& table, const FacialRegions& regions);
+
+}  // namespace mien

@@ -1,0 +1,100 @@
+#include "RegionMap.h"
+
+#include <random>
+
+using namespace mien;
+
+TEST(FacialRegions, TheMapHasMirrorPairs) {
+  const FacialRegions regions = regionMap();
+  for (int region = 1; region <= 16; ++region) {
+    const Eigen::Vector2d centre = regions.centre(region), other = regions.centre(regions.mirrored(region));
+    EXPECT_EQ(other, Eigen::Vector2d(-centre.x(), centre.y())) << regions.name(region);
+    EXPECT_EQ(regions.nearest(centre), region);
+  }
+}
+
+TEST(FacialRegions, WeightsAreAPartitionOfUnityAndHardInside) {
+  const FacialRegions regions = regionMap();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> x(-2.5, 2.5), y(-4.0, 2.0);
+  int interior = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector2d point(x(random), y(random));
+    const FacialRegions::Weights weights = regions.weights(point);
+    double sum = 0.0;
+    for (const double weight : weights) {
+      EXPECT_GE(weight, 0.0);
+      sum += weight;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-14);
+    const int nearest = regions.nearest(point);
+    const double own = (regions.centre(nearest) - point).norm();
+    double next = 100.0;
+    for (int r = 1; r <= 16; ++r)
+      if (r != nearest) next = std::min(next, (regions.centre(r) - point).norm());
+    if (next - own < 0.35) continue;
+    ++interior;
+    EXPECT_EQ(weights[nearest - 1], 1.0);
+  }
+  EXPECT_GT(interior, 800);
+}
+
+TEST(FacialRegions, WeightsAreContinuous) {
+  const FacialRegions regions = regionMap();
+  for (const double side : {0.0, 1.0, -0.4}) {
+    const double step = 1e-3;
+    for (double y = -4.0; y < 2.0; y += 0.37)
+      for (double x = -2.5; x < 2.5; x += step) {
+        const auto a = regions.weights({x, y}, side), b = regions.weights({x + step, y}, side);
+        for (int i = 0; i < 16; ++i) ASSERT_LT(std::abs(a[i] - b[i]), 0.02) << x << " " << y;
+      }
+  }
+}
+
+TEST(FacialRegions, TheLipsAreApartWhereTheyMeet) {
+  const FacialRegions regions = regionMap();
+  for (const double y : {-2.2, -2.3, -2.4})
+    for (const double x : {-0.3, 0.0, 0.3}) {
+      EXPECT_EQ(regions.nearest({x, y}, 1.0), 12) << x << " " << y;
+      EXPECT_EQ(regions.nearest({x, y}, -1.0), 13) << x << " " << y;
+      EXPECT_EQ(regions.weights({x, y}, 1.0)[12], 0.0);
+      EXPECT_EQ(regions.weights({x, y}, -1.0)[11], 0.0);
+    }
+}
+
+TEST(FacialRegions, FadesOutsideTheFaceAndBehindIt) {
+  const FacialRegions regions = regionMap();
+  EXPECT_EQ(regions.outlineWeight({0.0, -3.6}), 1.0);
+  EXPECT_EQ(regions.outlineWeight({-2.2, 0.0}), 1.0);
+  EXPECT_EQ(regions.outlineWeight({0.0, -6.0}), 0.0);
+  EXPECT_EQ(regions.outlineWeight({0.0, 4.0}), 0.0);
+  EXPECT_EQ(regions.facingWeight(0.5, -1.0), 1.0);
+  EXPECT_EQ(regions.facingWeight(-4.0, 0.5), 1.0);
+  EXPECT_EQ(regions.facingWeight(-4.0, -0.9), 0.0);
+}
+
+TEST(FacialRegions, MirroredTwiceIsTheTable) {
+  const FacialRegions regions = regionMap();
+  DeformationTable table;
+  for (int i = 0; i < 16; ++i)
+    for (int k = 0; k < 12; ++k) table.maps[i].coefficients(k / 6, k % 6) = std::sin(13.0 * i + k);
+  const DeformationTable once = regions.mirrored(table), twice = regions.mirrored(once);
+  for (int i = 0; i < 16; ++i) EXPECT_EQ(twice.maps[i].coefficients, table.maps[i].coefficients);
+  EXPECT_NE(once.maps[0].coefficients, table.maps[0].coefficients);
+}
+
+TEST(FacialRegions, RefusesAMapThatIsNone) {
+  FacialRegions regions = regionMap();
+  const std::string good = readDataFile("deformation/regions.json");
+  const auto fault = [&](const std::string& from, const std::string& to) {
+    std::string text = good;
+    return regions.parse(text.replace(text.find(from), from.size(), to));
+  };
+  EXPECT_NE(fault("\"version\": 1", "\"version\": 2").find("version"), std::string::npos);
+  EXPECT_NE(fault("\"region\": 2,", "\"region\": 1,").find("given twice"), std::string::npos);
+  EXPECT_NE(fault("\"region\": 2,", "\"region\": 17,").find("1 to 16"), std::string::npos);
+  EXPECT_NE(fault("\"mirror\": 2", "\"mirror\": 3").find("mirror"), std::string::npos);
+  EXPECT_NE(fault("\"blend\": 0.35", "\"blend\": -1").find("blend"), std::string::npos);
+  EXPECT_NE(regions.parse("{").find("region map"), std::string::npos);
+  EXPECT_EQ(regions.nearest({0.0, -3.4}), 16) << "a refused map must leave what was there";
+}

@@ -1,0 +1,108 @@
+#include "RegionMap.h"
+#include "TableDeformation.h"
+
+using namespace mien;
+
+namespace {
+
+PupilNormalisation pupils() {
+  PupilNormalisation result;
+  EXPECT_EQ(result.set({31.0, 36.0, 82.0}, {-31.0, 36.0, 82.0}), "");
+  return result;
+}
+
+/// A grid over the face in mm, `side` of the lips for all.
+std::vector<DeformationPoint> grid(double step) {
+  std::vector<DeformationPoint> points;
+  for (double y = -170.0; y <= 170.0; y += step)
+    for (double x = -150.0; x <= 150.0; x += step) {
+      DeformationPoint point;
+      point.position = {x, y, 90.0};
+      points.push_back(point);
+    }
+  return points;
+}
+
+/// Regions that move apart, with quadratic parts.
+DeformationTable unruly() {
+  DeformationTable table;
+  for (int i = 0; i < 16; ++i) {
+    table.maps[i].coefficients(0, 5) = 0.1 * std::sin(5.0 * i);
+    table.maps[i].coefficients(1, 5) = 0.1 * std::cos(5.0 * i);
+    table.maps[i].coefficients(1, 0) = 0.2 * std::sin(3.0 * i);
+  }
+  table.largestDisplacement = 0.3;
+  return table;
+}
+
+std::vector<Eigen::Vector2d> moves(const std::vector<DeformationPoint>& points, const DeformationTable& table, bool smooth,
+                                   double strength = 1.0) {
+  const TableDeformation deformation(points, pupils(), regionMap(), smooth);
+  std::vector<Eigen::Vector2d> result(points.size());
+  deformation.displacements(table, fittedDisplacement(table, regionMap()), strength, 0, points.size(), result.data());
+  return result;
+}
+
+}  // namespace
+
+TEST(TableDeformation, TheIdentityMovesNothing) {
+  for (const bool smooth : {false, true})
+    for (const Eigen::Vector2d& move : moves(grid(7.0), DeformationTable(), smooth)) EXPECT_EQ(move.norm(), 0.0);
+}
+
+TEST(TableDeformation, NothingMovesFartherThanTheLimit) {
+  double largest = 0.0;
+  for (const Eigen::Vector2d& move : moves(grid(3.0), unruly(), true)) largest = std::max(largest, move.norm());
+  EXPECT_LE(largest, 1.5 * 0.3 * 31.0 + 1e-9);
+  EXPECT_GT(largest, 0.3 * 31.0) << "else the limit is not tried";
+}
+
+TEST(TableDeformation, FarFromTheFaceNothingMoves) {
+  const auto points = grid(5.0);
+  const auto result = moves(points, unruly(), true);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (std::abs(points[i].position.x()) > 110.0 || points[i].position.y() < -125.0) {
+      EXPECT_EQ(result[i].norm(), 0.0);
+    }
+}
+
+TEST(TableDeformation, SmoothIsContinuousWhereHardTears) {
+  const auto jump = [](bool smooth, double step) {
+    std::vector<DeformationPoint> line;
+    for (double y = -110.0; y < 90.0; y += step) line.push_back({{9.0, y, 90.0}, 1.0, 0.0});
+    const auto result = moves(line, unruly(), smooth);
+    double largest = 0.0;
+    for (std::size_t i = 1; i < result.size(); ++i) largest = std::max(largest, (result[i] - result[i - 1]).norm());
+    return largest;
+  };
+  EXPECT_LT(jump(true, 0.01), 0.15 * jump(true, 0.1));
+  EXPECT_GT(jump(false, 0.01), 1.0);
+}
+
+TEST(TableDeformation, SmoothEqualsHardInTheInteriors) {
+  const FacialRegions regions = regionMap();
+  std::vector<DeformationPoint> centres;
+  for (int region = 1; region <= 16; ++region) {
+    const Eigen::Vector2d centre = regions.centre(region);
+    centres.push_back({pupils().invert({centre.x(), centre.y(), 0.0}), 1.0, 0.0});
+  }
+  const auto smooth = moves(centres, unruly(), true), hard = moves(centres, unruly(), false);
+  for (std::size_t i = 0; i < centres.size(); ++i) EXPECT_LT((smooth[i] - hard[i]).norm(), 1e-12) << i + 1;
+}
+
+TEST(TableDeformation, StrengthScales) {
+  const auto points = grid(11.0);
+  const auto full = moves(points, unruly(), true), half = moves(points, unruly(), true, 0.5);
+  for (std::size_t i = 0; i < points.size(); ++i) EXPECT_LT((0.5 * full[i] - half[i]).norm(), 1e-12);
+}
+
+TEST(TableDeformation, TheLipsPart) {
+  DeformationTable table;
+  table.maps[11].coefficients(1, 5) = 0.1;
+  table.maps[12].coefficients(1, 5) = -0.2;
+  table.largestDisplacement = 0.2;
+  const Eigen::Vector3d lip = pupils().invert({0.0, -2.2, 0.0});
+  const auto result = moves({{lip, 1.0, 1.0}, {lip, 1.0, -1.0}}, table, true);
+  EXPECT_NEAR(result[0].y(), 3.1, 0.15) << "the border with the nose is near";
+  EXPECT_NEAR(result[1].y(), -6.2, 1e-9);
+}

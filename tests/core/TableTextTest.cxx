@@ -1,0 +1,64 @@
+#include "TableStatistics.h"
+#include "TableText.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace mien;
+
+namespace {
+
+DeformationTable sample(double phase) {
+  DeformationTable table;
+  for (int i = 0; i < 16; ++i)
+    for (int k = 0; k < 12; ++k) table.maps[i].coefficients(k / 6, k % 6) = std::sin(phase + 13.0 * i + k) / 3.0;
+  table.largestDisplacement = 0.1;
+  return table;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+void expectFault(const std::string& text, const std::string& start, const std::string& part) {
+  DeformationTable table;
+  table.largestDisplacement = 7.0;
+  const std::string fault = parseTable(text, table);
+  EXPECT_EQ(fault.rfind(start, 0), 0u) << fault;
+  EXPECT_NE(fault.find(part), std::string::npos) << fault;
+  EXPECT_EQ(table.largestDisplacement, 7.0);
+}
+
+}  // namespace
+
+TEST(TableText, WhatIsWrittenIsReadBackExactly) {
+  const DeformationTable mean = meanTable({sample(0.0), sample(0.3)});
+  for (const DeformationTable& table : {mean, sample(1.0)}) {
+    DeformationTable read;
+    ASSERT_EQ(parseTable(writeTable(table, "two\nlines"), read), "");
+    EXPECT_EQ(read.largestDisplacement, table.largestDisplacement);
+    ASSERT_EQ(read.deviations.has_value(), table.deviations.has_value());
+    for (int i = 0; i < 16; ++i) {
+      EXPECT_EQ(read.maps[i].coefficients, table.maps[i].coefficients);
+      if (table.deviations) {
+        EXPECT_EQ(read.deviations->at(i), table.deviations->at(i));
+      }
+    }
+  }
+}
+
+TEST(TableText, NamesTheLineAtFault) {
+  const std::string good = writeTable(DeformationTable());
+  const std::string row = "5,0,0,0,1,0,0,0,0,0,0,1,0\n";
+  ASSERT_NE(good.find(row), std::string::npos);
+  expectFault("", "1: ", "empty");
+  expectFault(replaced(good, ",b6", ",c6"), "1: ", "b6");
+  expectFault(replaced(good, "region", "area"), "1: ", "region");
+  expectFault(replaced(good, ",b6", ",b6,a1_sd"), "1: ", "all twelve");
+  expectFault(replaced(good, row, ""), "16: ", "region 5 is missing");
+  expectFault(replaced(good, row, row + row), "7: ", "region 5 is given twice");
+  expectFault(replaced(good, row, "5,0,0,0,1,0,0,0,0,0,0,1\n"), "6: ", "12 cells");
+  expectFault(replaced(good, row, "5,0,0,0,1,0,0,0,nan,0,0,1,0\n"), "6: ", "region 5");
+  expectFault(replaced(good, row, "17,0,0,0,1,0,0,0,0,0,0,1,0\n"), "6: ", "1 to 16");
+}
