@@ -1,0 +1,49 @@
+/**
+ * @class vtkFDTWriter
+ * @brief writes a facial deformation table to a CSV file
+ *
+ * Input: vtkTable of 16 rows, columns as described in FDTData.h. What is written is read back without a difference.
+ * Errors: a table that is none, a file that cannot be written.
+ * @sa vtkFDTReader
+ */
+#ifndef vtkFDTWriter_h
+#define vtkFDTWriter_h
+
+#include "MienDeformationModule.h"
+#include "vtkWriter.h"
+
+#include <string>
+
+class MIENDEFORMATION_EXPORT vtkFDTWriter : public vtkWriter {
+ public:
+  static vtkFDTWriter* New();
+  vtkTypeMacro(vtkFDTWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The .csv file. Default: none. */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** Lines for the head of the file: what the table is of, and its source. Default: none. */
+  vtkSetMacro(Comment, std::string);
+  vtkGetMacro(Comment, std::string);
+  ///@}
+
+ protected:
+  vtkFDTWriter() = default;
+  ~vtkFDTWriter() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+ private:
+  vtkFDTWriter(const vtkFDTWriter&) = delete;
+  void operator=(const vtkFDTWriter&) = delete;
+
+  char* FileName = nullptr;
+  std::string Comment;
+};
+
+#endif
