@@ -15,6 +15,7 @@ struct HeadRotation {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< 7.1, the top of the spine, mm
 
+  HeadRotation() = default;
   HeadRotation(const FAPFrame& frame, const Eigen::Vector3d& centreOfRotation);
 
   bool turns() const;                              ///< false: the points stay bit for bit
