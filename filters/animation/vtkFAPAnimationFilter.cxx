@@ -11,9 +11,12 @@
 #include "FaceAnimator.h"
 #include "HighLevelFAPs.h"
 #include "vtkAlgorithmOutput.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -217,6 +220,34 @@ void addValues(const mien::FAPFrame& values, mien::FAPFrame& frame) {
     frame.setValue(fap, frame.value(fap) + values.value(fap));
 }
 
+/// 7.1, the top of the spine: as high as the nose base, midway between the front and the back of the curve there.
+Eigen::Vector3d topOfSpine(const mien::FaceCurves& face) {
+  const mien::FeaturePoint* noseBase = face.feature("9.15");
+  const Eigen::VectorXd depth = face.curves.curve(noseBase->curve).col(2);
+  return {0.0, face.curves.at(noseBase->curve, noseBase->v).y(), 0.5 * (depth.minCoeff() + depth.maxCoeff())};
+}
+
+/// Takes the rotation of the head out of the frame: it comes last, when contact and order are judged.
+mien::HeadRotation takeHeadRotation(const mien::FaceCurves& face, mien::FAPFrame& frame) {
+  const mien::HeadRotation rotation(frame, topOfSpine(face));
+  for (int fap : {48, 49, 50}) frame.setValue(fap, 0.0);
+  return rotation;
+}
+
+/// Turns the pupils with the head and notes the rotation.
+void turnFields(const mien::FaceCurves& face, const mien::HeadRotation& rotation, vtkPolyData* output) {
+  if (!rotation.turns()) return;
+  mien::ClosedCurves::Points pupils(2, 3);
+  pupils << face.leftPupil.transpose(), face.rightPupil.transpose();
+  rotation.apply(pupils);
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Pupils");
+  array->SetNumberOfComponents(3);
+  for (int i = 0; i < 2; ++i) array->InsertNextTuple(pupils.row(i).data());
+  output->GetFieldData()->AddArray(array);
+  mien::writeHeadRotation(rotation, output->GetFieldData());
+}
+
 void copyDataTime(vtkDataObject* from, vtkDataObject* to) {
   if (from) passTime(from->GetInformation(), to->GetInformation(), vtkDataObject::DATA_TIME_STEP());
 }
@@ -238,9 +269,13 @@ int vtkFAPAnimationFilter::RequestData(vtkInformation*, vtkInformationVector** i
   addValues(this->Impl->Values, frame);
   for (const auto& [name, intensity] : this->Impl->Expressions) mien::defaultExpressions().add(name, intensity, frame);
   if (this->GetAbortExecute()) return 1;
-  const mien::ClosedCurves& moved = this->Impl->Animator.animate(frame);
+  const mien::FaceCurves& neutral = this->Impl->Animator.neutral();
+  const mien::HeadRotation rotation = takeHeadRotation(neutral, frame);
+  mien::ClosedCurves moved = this->Impl->Animator.animate(frame);
+  rotation.apply(moved.points);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   mien::writeMovedCurves(this->Impl->Animator.neutral().curves, moved, curves, output);
+  turnFields(neutral, rotation, output);
   copyDataTime(table, output);
   const size_t known = this->Impl->Ignored.size();
   for (int fap : this->Impl->Animator.ignoredFAPs(frame)) this->Impl->Ignored.insert(fap);

@@ -177,7 +177,48 @@ void addCurveArrays(vtkCellData* cells)
   cells->AddArray(names);
 }
 
+/// Curves run down the face in the head's own frame, however the head is turned.
+FaceCurves inOwnFrame(const FaceCurves& face, const HeadRotation& turned)
+{
+  FaceCurves own = face;
+  turned.undo(own.curves.points);
+  return own;
+}
+
 } // namespace
+
+std::string readHeadRotation(vtkFieldData* fields, HeadRotation& turned)
+{
+  vtkDataArray* array = fields->GetArray("HeadRotation");
+  if (!array)
+    return {};
+  const std::string advice = "; it holds a rotation (9 numbers, row by row) and its centre (3, mm)";
+  if (array->GetNumberOfComponents() != 12 || array->GetNumberOfTuples() != 1)
+    return "the field array HeadRotation does not hold 12 numbers" + advice;
+  HeadRotation read;
+  for (int i = 0; i < 9; ++i)
+    read.rotation(i / 3, i % 3) = array->GetComponent(0, i);
+  for (int i = 0; i < 3; ++i)
+    read.centre[i] = array->GetComponent(0, 9 + i);
+  const double error = (read.rotation * read.rotation.transpose() - Eigen::Matrix3d::Identity()).norm();
+  if (!(error < 1e-6) || !read.centre.allFinite())
+    return "the field array HeadRotation is no rotation" + advice;
+  turned = read;
+  return {};
+}
+
+void writeHeadRotation(const HeadRotation& turned, vtkFieldData* fields)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("HeadRotation");
+  array->SetNumberOfComponents(12);
+  array->SetNumberOfTuples(1);
+  for (int i = 0; i < 9; ++i)
+    array->SetComponent(0, i, turned.rotation(i / 3, i % 3));
+  for (int i = 0; i < 3; ++i)
+    array->SetComponent(0, 9 + i, turned.centre[i]);
+  fields->AddArray(array);
+}
 
 std::string readClosedCurves(vtkPolyData* data, ClosedCurves& curves)
 {
@@ -205,8 +246,11 @@ std::string readFaceCurves(vtkPolyData* data, FaceCurves& face)
     copyLine(data, lineOfCurve[index], read.curves, index);
   fault = readFeatures(data->GetFieldData(), read);
   readPupils(data->GetFieldData(), read);
+  HeadRotation turned;
   if (fault.empty())
-    fault = describeFault(read);
+    fault = readHeadRotation(data->GetFieldData(), turned);
+  if (fault.empty())
+    fault = describeFault(inOwnFrame(read, turned));
   if (fault.empty())
     face = std::move(read);
   return fault;

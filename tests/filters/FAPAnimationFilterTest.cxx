@@ -297,3 +297,26 @@ TEST(FAPAnimationFilter, ListsTheSixExpressions) {
     EXPECT_FALSE(vtkFAPAnimationFilter::GetExpressionDefinition(name).empty());
   EXPECT_GT(vtkFAPAnimationFilter::GetExpressionFAP("joy", 53), 0.0);
 }
+
+TEST(FAPAnimationFilter, ATurnedHeadIsRigidAndIsReadAgain) {
+  vtkNew<vtkPolyData> input, copy;
+  fill(input);
+  vtkNew<vtkFAPAnimationFilter> filter;
+  filter->SetInputData(input);
+  filter->SetFAP(48, 250000.0);  // 2.5 rad: upside down, so that the heights alone would be refused
+  filter->SetFAP(50, 90000.0);
+  filter->Update();
+  EXPECT_EQ(filter->GetIgnoredFAPs(), std::vector<int>{});
+  EXPECT_EQ(input->GetFieldData()->GetArray("HeadRotation"), nullptr);
+  mien::FaceCurves face, turned;
+  ASSERT_EQ(mien::readFaceCurves(input, face), "");
+  ASSERT_EQ(mien::readFaceCurves(filter->GetOutput(), turned), "");
+  const auto distance = [](const mien::FaceCurves& f, int i) {
+    return (f.curves.points.row(i) - f.leftPupil.transpose()).norm();
+  };
+  for (int i = 0; i < face.curves.points.rows(); ++i) EXPECT_NEAR(distance(turned, i), distance(face, i), 1e-10);
+  EXPECT_GT((turned.leftPupil - face.leftPupil).norm(), 30.0);
+  copy->DeepCopy(filter->GetOutput());
+  copy->GetFieldData()->RemoveArray("HeadRotation");
+  EXPECT_NE(mien::readFaceCurves(copy, turned).find("without crossing"), std::string::npos);
+}
