@@ -8,9 +8,9 @@ BackgroundTask::~BackgroundTask() {
 }
 
 /// The window does not wait for the old work's present step: the new one begins when it has ended.
-void BackgroundTask::start(const Work& work) {
+void BackgroundTask::start(const Work& work, Before before) {
   if (!running_) return launch(work);
-  cancelled_ = true;
+  if (before == Before::Ends) cancelled_ = true;
   next_ = work;
 }
 
@@ -36,13 +36,13 @@ void BackgroundTask::launch(const Work& work) {
 
 void BackgroundTask::end(const std::function<void()>& deliver) {
   thread_.join();
+  if (!cancelled_ && deliver) deliver();
   if (next_) {
     const Work work = next_;
     next_ = nullptr;
     return launch(work);
   }
   running_ = false;
-  if (!cancelled_ && deliver) deliver();
   emit runningChanged(false);
 }
 

@@ -20,8 +20,12 @@ class BackgroundTask : public QObject {
   explicit BackgroundTask(QObject* parent) : QObject(parent) {}
   ~BackgroundTask() override;  ///< cancels and waits for the end of the present step
 
-  /// Takes the place of work that is still going on.
-  void start(const Work& work);
+  enum class Before {
+    Ends,      ///< work that is still going on is cancelled
+    Finishes   ///< and delivered first; of several that wait only the last is done
+  };
+
+  void start(const Work& work, Before before = Before::Ends);
   void cancel();
   bool isRunning() const { return running_; }
 

@@ -15,7 +15,7 @@ namespace mien {
 namespace {
 
 constexpr double rounding = 1e-7;  // what is smaller is the rounding of the jets
-constexpr int lineOfTable = 22;      // pixels
+constexpr int lineOfTable = 20;      // pixels
 
 QString numberText(double value) {
   if (!std::isfinite(value)) return QStringLiteral("\u2013");
@@ -35,6 +35,7 @@ ContinuityTable::ContinuityTable(QWidget* parent) : QTableWidget(parent) {
   setShowGrid(false);
   setFrameShape(QFrame::NoFrame);
   verticalHeader()->hide();
+  verticalHeader()->setMinimumSectionSize(lineOfTable);
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   verticalHeader()->setDefaultSectionSize(lineOfTable);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);

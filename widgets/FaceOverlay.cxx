@@ -14,6 +14,8 @@
 #include <vtkShaderProperty.h>
 #include <vtkTextProperty.h>
 
+#include <QEvent>
+
 #include <iterator>
 
 namespace mien {
@@ -71,6 +73,7 @@ FaceOverlay::FaceOverlay(FaceView* view, QObject* parent) : QObject(parent), vie
   bar_->SetVerticalTitleSeparation(8);
   bar_->UnconstrainedFontSizeOn();
   useTheme();
+  view_->installEventFilter(this);
   connect(view_, &FaceView::overlayChanged, this, [this](const QObject* overlay) {
     if (overlay != this) remove();
   });
@@ -84,7 +87,7 @@ void FaceOverlay::addZebraShader() {
   zebra_->GetShaderProperty()->AddFragmentShaderReplacement(
       "//VTK::Light::Impl", true,
       "//VTK::Light::Impl\n"
-      "  float zebra = 24.0 * asin(clamp(dot(normalVCVSOutput, vec3(0.35, 0.94, 0.0)), -1.0, 1.0)) / 3.14159265;\n"
+      "  float zebra = 16.0 * asin(clamp(dot(normalVCVSOutput, vec3(0.35, 0.94, 0.0)), -1.0, 1.0)) / 3.14159265;\n"
       "  float distance = abs(fract(zebra) - 0.5) - 0.25;\n"
       "  float light = smoothstep(-0.5, 0.5, distance / max(fwidth(zebra), 0.0001));\n"
       "  fragOutput0 = vec4(fragOutput0.rgb * mix(0.16, 1.0, light), 1.0);\n",
@@ -144,6 +147,11 @@ void FaceOverlay::remove() {
   view_->renderer()->RemoveActor2D(bar_);
   view_->redraw();
   emit shownChanged(false);
+}
+
+bool FaceOverlay::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) useTheme();
+  return QObject::eventFilter(watched, event);
 }
 
 void FaceOverlay::useTheme() {

@@ -41,12 +41,15 @@ class FaceOverlay : public QObject {
   void hide();
 
   bool isShown() const { return shown_; }
-  void useTheme();
 
  signals:
   void shownChanged(bool shown);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  void useTheme();
   void show(vtkActor* actor, bool withSkin, bool withScale);
   void color(vtkPolyDataMapper* mapper, const char* array, const Scale& scale);
   void addZebraShader();

@@ -34,7 +34,7 @@ namespace mien {
 
 namespace {
 
-constexpr int rows = 56, columns = 40;  // of the sweep; doc/decisions.md has what this coarseness costs
+constexpr int rows = 112, columns = 80;  // of the sweep, as on the command line; doc/decisions.md has what a coarser one costs
 constexpr int thumbnailRows = 83, thumbnailColumns = 80;
 constexpr double stepFactor = 1.1;      // of a, by an arrow key
 constexpr double smallestSmoothing = 0.001;
@@ -73,8 +73,12 @@ std::vector<double> spread(std::vector<double> values) {
 
 }  // namespace
 
+bool SmoothingPanel::Subject::asksTheSameAs(const Subject& other) const {
+  return sweep.surface == other.sweep.surface && sweep.schemes == other.sweep.schemes && sweep.smoothing == other.sweep.smoothing;
+}
+
 bool SmoothingPanel::Subject::sameAs(const Subject& other) const {
-  return sweep.surface == other.sweep.surface && sweep.schemes == other.sweep.schemes && sweep.smoothing == other.sweep.smoothing &&
+  return asksTheSameAs(other) &&
          face.curves.points.rows() == other.face.curves.points.rows() && face.curves.points == other.face.curves.points;
 }
 
@@ -103,6 +107,7 @@ SmoothingPanel::~SmoothingPanel() {
 
 void SmoothingPanel::describeControls() {
   measure_->setObjectName("smoothingMeasure");
+  measure_->setMinimumContentsLength(20);  // filled when the first sweep is there
   measure_->setToolTip(tr("What is drawn over a; departures are from the same scheme's surface at a = 1"));
   allSchemes_->setObjectName("smoothingAllSchemes");
   allSchemes_->setToolTip(tr("A line for every scheme; a cross where its surface is no face any more"));
@@ -214,12 +219,13 @@ void SmoothingPanel::refresh() {
   figure_->setMarked(model_->state().surface.smoothing.front());
   Subject subject;
   if (!takeSubject(subject) || subject.sameAs(subject_)) return;
+  const bool onlyMoves = subject.asksTheSameAs(subject_);  // a face that keeps moving would never see a sweep end
   subject_ = subject;
-  startSweep();
+  startSweep(onlyMoves);
   startThumbnails();
 }
 
-void SmoothingPanel::startSweep() {
+void SmoothingPanel::startSweep(bool afterTheLast) {
   const Subject subject = subject_;
   cancelled_ = false;
   sweep_->start([this, subject](const BackgroundTask::Progress& goOn) -> std::function<void()> {
@@ -230,7 +236,7 @@ void SmoothingPanel::startSweep() {
       swept_ = sweep;
       showFigure();
     };
-  });
+  }, afterTheLast ? BackgroundTask::Before::Finishes : BackgroundTask::Before::Ends);
 }
 
 void SmoothingPanel::startThumbnails() {
@@ -240,7 +246,7 @@ void SmoothingPanel::startThumbnails() {
   pictures_->start([this, subject = subject_, style](const BackgroundTask::Progress& goOn) -> std::function<void()> {
     const auto pictures = drawPictures(subject.face, subject.sweep.surface, spread(subject.sweep.smoothing), style, goOn);
     return [this, pictures] { thumbnails_->setPictures(pictures); };
-  });
+  }, BackgroundTask::Before::Finishes);
 }
 
 Figure SmoothingPanel::sweepFigureOfAll() const {

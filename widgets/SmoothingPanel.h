@@ -32,6 +32,7 @@ class SmoothingPanel : public QWidget {
   struct Subject {
     FaceCurves face;
     SmoothingSweepOptions sweep;
+    bool asksTheSameAs(const Subject& other) const;  ///< whatever the face
     bool sameAs(const Subject& other) const;
   };
 
@@ -41,7 +42,7 @@ class SmoothingPanel : public QWidget {
   void refresh();
   bool readRange();
   bool takeSubject(Subject& subject);
-  void startSweep();
+  void startSweep(bool afterTheLast);
   void startThumbnails();
   void showFigure();
   void setSmoothing(double a);

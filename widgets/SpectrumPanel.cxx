@@ -139,7 +139,7 @@ QWidget* SpectrumPanel::controls() {
 
 void SpectrumPanel::connectControls() {
   connect(measure_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { showFigure(); });
-  connect(mode_, QOverload<int>::of(&QComboBox::activated), this, &SpectrumPanel::choose);
+  connect(mode_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &SpectrumPanel::choose);
   connect(figure_, &FigureView::picked, this, [this](double x) { choose(static_cast<int>(std::lround(x))); });
   connect(figure_, &FigureView::stepped, this, [this](int steps) { choose(row_ + steps); });
   connect(partial_, &QCheckBox::toggled, this, [this] { refresh(); });
@@ -244,7 +244,7 @@ void SpectrumPanel::paintFace() {
   surface->ShallowCopy(outwards->GetOutput());
   addLengths(surface, row_ == 0);
   const double largest = surface->GetPointData()->GetArray(lengthArray)->GetRange()[1];
-  const QString name = mode_->currentText();
+  const QString name = mode_->itemText(row_);
   const QString title = name == "remainder" ? tr("remainder (mm)") : tr("mode %1 (mm)").arg(name);
   overlay_->showSurface(surface, lengthArray, {title, 0.0, colorRange(largest), FaceOverlay::Colors::Sequential});
 }

@@ -63,12 +63,19 @@ void click(QWidget& window, const char* name) { window.findChild<QToolButton*>(n
 
 void showDock(QWidget& window, const QString& name) {
   window.findChild<QAction*>(name + "Action")->trigger();
-  wait(1500);  // some docks compute in the background
+  const auto isBusy = [&] { return window.findChild<QWidget*>("smoothingProgress")->isVisible(); };
+  do wait(1500);  // some docks compute in the background
+  while (isBusy());
 }
 
 void press(QWidget& window, const QString& name) {
   window.findChild<QAbstractButton*>(name)->click();
   wait(1500);
+}
+
+void chooseRow(QWidget& window, int row) {
+  window.findChild<QTableWidget*>("continuityTable")->selectRow(row);
+  wait(1500);  // the camera flies there
 }
 
 void apply(mien::StudioWindow& window, const QString& setting) {
@@ -89,7 +96,7 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "a") model.change([&](mien::FaceState& state) { state.surface.smoothing.fill(value.toDouble()); });
   if (key == "dock") showDock(window, value);
   if (key == "press") press(window, value);
-  if (key == "row") window.findChild<QTableWidget*>("continuityTable")->selectRow(value.toInt());
+  if (key == "row") chooseRow(window, value.toInt());
   if (key == "choose") window.findChild<QComboBox*>(value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
   if (key == "measure") measure(window);
   if (key == "file") window.openAnimation(value);

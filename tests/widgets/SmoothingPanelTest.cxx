@@ -77,7 +77,7 @@ TEST_F(SmoothingPanel, SmallFacesDifferAndSetA) {
   ASSERT_TRUE(waitUntil([this] { return find<QToolButton>("smoothingThumbnail4")->isEnabled(); }, 20000));
   std::vector<QImage> pictures;
   for (int i = 0; i < 5; ++i) {
-    const QImage picture = find<QToolButton>(QString("smoothingThumbnail%1").arg(i))->icon().pixmap(69, 92).toImage();
+    const QImage picture = find<QToolButton>(QString("smoothingThumbnail%1").arg(i))->icon().pixmap(84, 112).toImage();
     std::set<QRgb> colors;
     for (int y = 0; y < picture.height(); ++y)
       for (int x = 0; x < picture.width(); ++x) colors.insert(picture.pixel(x, y));
@@ -156,6 +156,18 @@ TEST(BackgroundTask, WorkThatTakesTheOldWorksPlaceIsTheOneDelivered) {
   for (int number = 1; number <= 3; ++number) task.start(work(number));
   EXPECT_TRUE(QTest::qWaitFor([&] { return !task.isRunning(); }));
   EXPECT_EQ(delivered, std::vector<int>{3});
+}
+
+TEST(BackgroundTask, WorkThatWaitsLetsTheOldWorkFinish) {
+  mien::BackgroundTask task(nullptr);
+  std::vector<int> delivered;
+  for (int number = 1; number <= 3; ++number)
+    task.start([&delivered, number](const mien::BackgroundTask::Progress&) {
+      QTest::qSleep(20);
+      return [&delivered, number] { delivered.push_back(number); };
+    }, mien::BackgroundTask::Before::Finishes);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !task.isRunning(); }));
+  EXPECT_EQ(delivered, (std::vector<int>{1, 3}));
 }
 
 TEST(BackgroundTask, NothingIsDeliveredToAnOwnerThatIsGone) {
