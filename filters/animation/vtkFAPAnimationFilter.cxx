@@ -41,6 +41,7 @@ struct vtkFAPAnimationFilter::Internals {
   vtkPolyData* BoundInput = nullptr;  // compared with, never used
   vtkMTimeType BoundTime = 0;
   std::set<int> Ignored;
+  double LargestPushed = 0.0;
 };
 
 vtkFAPAnimationFilter::vtkFAPAnimationFilter() : Impl(std::make_unique<Internals>()) {
@@ -157,6 +158,14 @@ int vtkFAPAnimationFilter::GetContactPoints() const {
   return this->Impl->Bound ? this->Impl->Animator.contactSamples() : 0;
 }
 
+double vtkFAPAnimationFilter::GetPushed() const {
+  return this->Impl->Bound ? this->Impl->Animator.pushed() : 0.0;
+}
+
+double vtkFAPAnimationFilter::GetLargestPushed() const {
+  return this->Impl->LargestPushed;
+}
+
 double vtkFAPAnimationFilter::GetKeptShare() const {
   return this->Impl->Bound ? this->Impl->Animator.keptShare() : 1.0;
 }
@@ -199,6 +208,7 @@ std::string vtkFAPAnimationFilter::Prepare(vtkPolyData* curves) {
   impl.BoundInput = curves;
   impl.BoundTime = curves->GetMTime();
   impl.Ignored.clear();
+  impl.LargestPushed = 0.0;
   return fault;
 }
 
@@ -239,6 +249,7 @@ int vtkFAPAnimationFilter::RequestData(vtkInformation*, vtkInformationVector** i
   for (const auto& [name, intensity] : this->Impl->Expressions) mien::defaultExpressions().add(name, intensity, frame);
   if (this->GetAbortExecute()) return 1;
   const mien::ClosedCurves& moved = this->Impl->Animator.animate(frame);
+  this->Impl->LargestPushed = std::max(this->Impl->LargestPushed, this->Impl->Animator.pushed());
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   mien::writeMovedCurves(this->Impl->Animator.neutral().curves, moved, curves, output);
   copyDataTime(table, output);
