@@ -82,6 +82,7 @@ void FaceModel::reportAnimation() {
 }
 
 bool FaceModel::openAnimation(const QString& fileName) {
+  if (state_.fapFile == fileName.toStdString()) pipeline_.frames()->Modified();  // it may have changed on disk
   change([&](FaceState& state) {
     state.fapFile = fileName.toStdString();
     state.frameChoice = FaceState::FrameChoice::Index;

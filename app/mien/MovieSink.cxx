@@ -30,11 +30,21 @@ vtkSmartPointer<vtkImageData> colorsOf(vtkImageData* picture) {
   return picture->GetNumberOfScalarComponents() == 4 ? opaque(picture) : vtkSmartPointer<vtkImageData>(picture);
 }
 
+/// The film's format knows whole rates only: a small multiple of the rate where that is whole, else the next whole number.
+int wholeRate(double rate) {
+  for (int multiple = 1; multiple <= 4; ++multiple) {
+    const double whole = std::round(multiple * rate);
+    if (whole >= 1.0 && std::abs(multiple * rate - whole) < 1e-6) return static_cast<int>(whole);
+  }
+  return static_cast<int>(std::ceil(rate));
+}
+
+/// Pictures are repeated where the film's rate is higher than theirs, so that it lasts as long as the animation.
 class OggSink : public FrameSink {
  public:
-  OggSink(const std::string& name, double rate) : file_(name) {
+  OggSink(const std::string& name, double rate) : file_(name), repeats_(wholeRate(rate) / rate) {
     writer_->SetFileName(file_.temporaryName().c_str());
-    writer_->SetRate(std::max(1, static_cast<int>(std::lround(rate))));
+    writer_->SetRate(wholeRate(rate));
     writer_->SetQuality(2);
   }
 
@@ -49,12 +59,13 @@ class OggSink : public FrameSink {
     writer_->SetInputData(colors);
     if (!started_) writer_->Start();
     started_ = true;
-    writer_->Write();
+    ++pictures_;
+    for (; written_ < std::lround(pictures_ * repeats_); ++written_) writer_->Write();
     if (writer_->GetError()) throw FileFailure(file_.name() + ": the film cannot be written");
   }
 
   std::string finish(bool complete) override {
-    writer_->End();
+    if (started_) writer_->End();
     started_ = false;
     if (!complete) return "no film";
     file_.commit();
@@ -64,6 +75,8 @@ class OggSink : public FrameSink {
  private:
   OutputFile file_;
   vtkNew<vtkOggTheoraWriter> writer_;
+  double repeats_;  ///< film pictures per picture, 1 or more
+  long pictures_ = 0, written_ = 0;
   bool started_ = false;
 };
 

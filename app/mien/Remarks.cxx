@@ -6,11 +6,14 @@
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
 
+#include <cmath>
 #include <iostream>
 
 namespace mien {
 
 namespace {
+
+constexpr double visiblePush = 0.5;  ///< mm; less is what curves near a moving lip or lid do in any lively face
 
 std::string nameList(const std::vector<int>& faps) {
   std::string names;
@@ -29,6 +32,10 @@ void printRemarks(const FacePipeline& pipeline) {
   if (!ignored.empty())
     std::cerr << "mien: " << (file.empty() ? "" : file + ": ") << "these FAPs move nothing on this face: " << nameList(ignored)
               << "\n";
+  const double pushed = pipeline.animation()->GetLargestPushed();
+  if (pushed >= visiblePush)
+    std::cerr << "mien: " << (file.empty() ? "" : file + ": ") << "curves without room for these FAPs gave way by up to "
+              << std::round(pushed * 10.0) / 10.0 << " mm; smaller values leave every curve its way\n";
 }
 
 }  // namespace mien

@@ -44,6 +44,7 @@ struct vtkFAPAnimationFilter::Internals {
   vtkPolyData* BoundInput = nullptr;  // compared with, never used
   vtkMTimeType BoundTime = 0;
   std::set<int> Ignored;
+  double LargestPushed = 0.0;
 };
 
 vtkFAPAnimationFilter::vtkFAPAnimationFilter() : Impl(std::make_unique<Internals>()) {
@@ -160,6 +161,14 @@ int vtkFAPAnimationFilter::GetContactPoints() const {
   return this->Impl->Bound ? this->Impl->Animator.contactSamples() : 0;
 }
 
+double vtkFAPAnimationFilter::GetPushed() const {
+  return this->Impl->Bound ? this->Impl->Animator.pushed() : 0.0;
+}
+
+double vtkFAPAnimationFilter::GetLargestPushed() const {
+  return this->Impl->LargestPushed;
+}
+
 double vtkFAPAnimationFilter::GetKeptShare() const {
   return this->Impl->Bound ? this->Impl->Animator.keptShare() : 1.0;
 }
@@ -202,6 +211,7 @@ std::string vtkFAPAnimationFilter::Prepare(vtkPolyData* curves) {
   impl.BoundInput = curves;
   impl.BoundTime = curves->GetMTime();
   impl.Ignored.clear();
+  impl.LargestPushed = 0.0;
   return fault;
 }
 
@@ -273,6 +283,7 @@ int vtkFAPAnimationFilter::RequestData(vtkInformation*, vtkInformationVector** i
   const mien::HeadRotation rotation = takeHeadRotation(neutral, frame);
   mien::ClosedCurves moved = this->Impl->Animator.animate(frame);
   rotation.apply(moved.points);
+  this->Impl->LargestPushed = std::max(this->Impl->LargestPushed, this->Impl->Animator.pushed());
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   mien::writeMovedCurves(this->Impl->Animator.neutral().curves, moved, curves, output);
   turnFields(neutral, rotation, output);

@@ -82,6 +82,12 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   /** How many points of the lips and lids that moved. */
   int GetContactPoints() const;
 
+  /** How far curves gave way because their neighbours left them no room, in mm; 0 when all had room. */
+  double GetPushed() const;
+
+  /** The same, the largest of all frames so far. */
+  double GetLargestPushed() const;
+
   /** 1, or the share of the movement that was kept when absurd values would have crossed curves. */
   double GetKeptShare() const;
 

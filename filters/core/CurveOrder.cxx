@@ -27,7 +27,7 @@ CurveOrder::CurveOrder(const ClosedCurves& neutral, const std::vector<ContactPai
   }
 }
 
-void CurveOrder::push(ClosedCurves& curves, const Sweep& sweep) const {
+void CurveOrder::push(ClosedCurves& curves, const Sweep& sweep) {
   const int k = curves.pointsPerCurve;
   const int step = sweep.to < sweep.from ? -1 : 1;
   for (int c = sweep.from; c != sweep.to; c += step)
@@ -37,13 +37,14 @@ void CurveOrder::push(ClosedCurves& curves, const Sweep& sweep) const {
       const double neutral = step * (neutral_.curve(c)(j, 1) - neutral_.curve(c + step)(j, 1));
       const double distance = step * (pusher - pushed);
       const double room = distanceWithRoom(distance, neutral, sweep.soft);
-      if (room != distance) pushed = pusher - step * room;
+      if (room == distance) continue;
+      pushed = pusher - step * room;
+      pushed_ = std::max(pushed_, std::abs(room - distance));
     }
 }
 
 void CurveOrder::drawBack(ClosedCurves& curves) {
   const int k = curves.pointsPerCurve;
-  keptShare_ = 1.0;
   for (Eigen::Index row = 0; row + k < curves.points.rows(); ++row) {
     const double distance = curves.points(row, 1) - curves.points(row + k, 1);
     const double neutral = neutral_.points(row, 1) - neutral_.points(row + k, 1);
@@ -53,7 +54,13 @@ void CurveOrder::drawBack(ClosedCurves& curves) {
   if (keptShare_ < 1.0) curves.points = neutral_.points + keptShare_ * (curves.points - neutral_.points);
 }
 
+void CurveOrder::reset() {
+  keptShare_ = 1.0;
+  pushed_ = 0.0;
+}
+
 void CurveOrder::restore(ClosedCurves& curves) {
+  reset();
   for (const Sweep& sweep : sweeps_) push(curves, sweep);
   drawBack(curves);
 }

@@ -25,18 +25,24 @@ class CurveOrder {
   /// 1, or the share of the movement that was left when the whole face had to be drawn back.
   double keptShare() const { return keptShare_; }
 
+  /// The furthest that a sample was pushed by its neighbour, mm; 0 when all had room.
+  double pushed() const { return pushed_; }
+
+  void reset();  ///< forgets the last frame
+
  private:
   struct Sweep {
     int from, to;  ///< curve that pushes first, last curve that is pushed
     double soft;   ///< share of the neutral distance below which curves are pushed
   };
 
-  void push(ClosedCurves& curves, const Sweep& sweep) const;
+  void push(ClosedCurves& curves, const Sweep& sweep);
   void drawBack(ClosedCurves& curves);
 
   const ClosedCurves& neutral_;
   std::vector<Sweep> sweeps_;
   double keptShare_ = 1.0;
+  double pushed_ = 0.0;
 };
 
 }  // namespace mien

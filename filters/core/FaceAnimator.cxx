@@ -80,6 +80,7 @@ void FaceAnimator::limitGroups(const FAPFrame& frame) {
 const ClosedCurves& FaceAnimator::animate(const FAPFrame& frame) {
   const bool moved = displace(frame);
   for (ContactClamp& contact : bound_->contacts) contact.reset();
+  bound_->order->reset();
   if (!moved) return bound_->animated;
   for (ContactClamp& contact : bound_->contacts) contact.apply(frame, bound_->animated);
   limitGroups(frame);
@@ -109,6 +110,10 @@ int FaceAnimator::contactSamples() const {
   int samples = 0;
   for (const ContactClamp& contact : bound_->contacts) samples += contact.clampedSamples();
   return samples;
+}
+
+double FaceAnimator::pushed() const {
+  return bound_->order->pushed();
 }
 
 double FaceAnimator::keptShare() const {

@@ -36,6 +36,7 @@ class FaceAnimator {
 
   double contactClamped() const;  ///< deepest crossing of lips or lids that the last frame undid, mm
   int contactSamples() const;     ///< how many samples that moved
+  double pushed() const;          ///< furthest that a curve gave way because its neighbour left it no room, mm
   double keptShare() const;       ///< 1, or what was left of the movement of a frame with absurd values
 
   /// FAPs that the frame sets and nothing on this face answers to; 1 and 2 when a viseme or expression is selected.

@@ -89,6 +89,33 @@ TEST(AnimateCommand, WritesAFilm) {
   EXPECT_EQ(entriesIn(folder.file("")), 1);
 }
 
+/// Seconds that a Theora film lasts: the number in its last Ogg page's granule position over the rate in its first header.
+double secondsOfFilm(const std::string& bytes) {
+  const auto byte = [&](size_t at) { return static_cast<unsigned long>(static_cast<unsigned char>(bytes.at(at))); };
+  const size_t header = bytes.find("\x80theora");
+  const auto number = [&](size_t at) { return byte(at) << 24 | byte(at + 1) << 16 | byte(at + 2) << 8 | byte(at + 3); };
+  const double rate = static_cast<double>(number(header + 22)) / static_cast<double>(number(header + 26));
+  const unsigned long shift = (byte(header + 40) & 3) << 3 | byte(header + 41) >> 5;
+  const size_t last = bytes.rfind("OggS");
+  unsigned long position = 0;
+  for (size_t i = 0; i < 8; ++i) position |= byte(last + 6 + i) << (8 * i);
+  return static_cast<double>((position >> shift) + (position & ((1ul << shift) - 1))) / rate;
+}
+
+TEST(AnimateCommand, AFilmLastsAsLongAsItsFramesAtRatesThatAreNotWhole) {
+  const TemporaryFolder folder;
+  for (const double rate : {0.5, 2.5, 7.3, 29.97}) {
+    std::string text = "2.1 film " + std::to_string(rate) + " 6\n";
+    for (int frame = 0; frame < 6; ++frame) {
+      for (int fap = 1; fap <= 68; ++fap) text += fap == 53 ? "1 " : "0 ";
+      text += "\n" + std::to_string(frame) + " " + std::to_string(50 * frame) + "\n";
+    }
+    writeTextFile(folder.file("a.fap"), text);
+    ASSERT_EQ(animate({folder.file("a.fap"), "-o", folder.file("a.ogv")}).exitCode, 0);
+    EXPECT_NEAR(secondsOfFilm(readTextFile(folder.file("a.ogv"))), 6.0 / rate, 0.51 / std::max(rate, 1.0)) << rate;
+  }
+}
+
 TEST(AnimateCommand, FAPsWithoutGeometryAreReportedOnce) {
   const TemporaryFolder folder;
   std::string mask;
