@@ -70,14 +70,10 @@ const FaceState& MeasuredFace::state() const {
 }
 
 void MeasuredFace::connect(vtkPDEFaceAlgorithm* filter, const std::string& scheme) const {
-  const FaceSurfaceOptions& surface = state().surface;
+  FaceSurfaceOptions surface = state().surface;
+  surface.scheme = scheme;
   filter->SetInputConnection(pipeline_->curves()->GetOutputPort());
-  filter->SetScheme(scheme);
-  for (size_t patch = 0; patch < surface.smoothing.size(); ++patch)
-    filter->SetSmoothing(static_cast<int>(patch), surface.smoothing[patch]);
-  filter->SetNumberOfModes(surface.modes);
-  filter->SetRemainder(surface.remainder);
-  filter->SetDerivativeStrength(surface.derivativeStrength);
+  filter->SetParameters(surface);
 }
 
 nlohmann::ordered_json MeasuredFace::description(const std::string& scheme) const {

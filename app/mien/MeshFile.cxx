@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
+#include "XMLDataFile.h"
 #include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -18,9 +19,8 @@ namespace mien {
 
 namespace {
 
-template <class Reader>
-vtkSmartPointer<vtkDataObject> read(const std::string& name) {
-  vtkNew<Reader> reader;
+vtkSmartPointer<vtkDataObject> readScan(const std::string& name) {
+  vtkNew<vtkScanReader> reader;
   PipelineErrors errors;
   errors.observe(reader);
   reader->SetFileName(name.c_str());
@@ -28,6 +28,14 @@ vtkSmartPointer<vtkDataObject> read(const std::string& name) {
   const std::string& fault = errors.first();
   if (fault.empty()) return reader->GetOutputDataObject(0);
   throw FileFailure(fault.rfind(name, 0) == 0 ? fault : name + ": cannot be read as a surface (" + fault + ")");
+}
+
+template <class Reader>
+vtkSmartPointer<vtkDataObject> readXML(const std::string& name) {
+  vtkNew<Reader> reader;
+  const std::string fault = readXMLDataFile(name, reader);
+  if (!fault.empty()) throw FileFailure(fault);
+  return reader->GetOutputDataObject(0);
 }
 
 }  // namespace
@@ -42,9 +50,9 @@ vtkSmartPointer<vtkDataObject> readMesh(const std::string& name) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(name, error))
     throw FileFailure(name + ": there is no such file; give a surface as .vts .vtp .ply .obj .stl .off");
-  if (isScan) return read<vtkScanReader>(name);
-  if (ending == "vts") return read<vtkXMLStructuredGridReader>(name);
-  return read<vtkXMLPolyDataReader>(name);
+  if (isScan) return readScan(name);
+  if (ending == "vts") return readXML<vtkXMLStructuredGridReader>(name);
+  return readXML<vtkXMLPolyDataReader>(name);
 }
 
 }  // namespace mien

@@ -6,6 +6,7 @@
 #include "PipelineErrors.h"
 #include "SurfaceFile.h"
 #include "SurfaceTable.h"
+#include "XMLDataFile.h"
 
 #include "vtkNew.h"
 #include "vtkPDEPatchFilter.h"
@@ -15,7 +16,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <memory>
 
 namespace mien {
@@ -37,14 +37,8 @@ void checkOutput(const std::string& name) {
 }
 
 void readCurves(const std::string& name, vtkXMLPolyDataReader* reader) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(name, error))
-    throw FileFailure(name + ": there is no such file; give a .vtp file of closed polylines");
-  PipelineErrors errors;
-  errors.observe(reader);
-  reader->SetFileName(name.c_str());
-  reader->Update();
-  if (!errors.first().empty()) throw FileFailure(name + ": this is no readable VTK XML polydata file");
+  const std::string unreadable = readXMLDataFile(name, reader);
+  if (!unreadable.empty()) throw FileFailure(unreadable);
   ClosedCurves curves;
   const std::string fault = readClosedCurves(reader->GetOutput(), curves);
   if (!fault.empty()) throw FileFailure(name + ": " + fault);

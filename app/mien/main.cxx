@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <exception>
 #include <iostream>
 #include <new>
 
@@ -60,6 +61,9 @@ int run(CLI::App& program, int argc, char** argv) {
     return complain(failure.what(), failure.exitCode());
   } catch (const std::bad_alloc&) {
     return complain("there is not enough memory; choose a smaller --resolution or --size", wrongFile);
+  } catch (const std::exception& error) {
+    return complain(std::string("stopped by an unexpected fault (") + error.what() + "); please report it with the files that show it",
+                    wrongFile);
   }
   return 0;
 }

@@ -1,7 +1,10 @@
 #include "AnimationData.h"
 
 #include <fstream>
+#include <map>
+#include <numeric>
 #include <sstream>
+#include <vector>
 
 #include "AnimationTableFile.h"
 #include "ExpressionsFile.h"
@@ -44,6 +47,43 @@ vtkSmartPointer<vtkPoints> doublePoints(vtkPoints* source) {
   return points;
 }
 
+/// The data with an own point for every line: where two lines share one (the closed lips, from a file that merged equal points)
+/// the later line gets a copy with the point's arrays, or the mouth could not open.
+vtkSmartPointer<vtkPolyData> withOwnPoints(vtkPolyData* data) {
+  std::vector<vtkIdType> lineOfPoint(data->GetNumberOfPoints(), -1), source(data->GetNumberOfPoints());
+  std::iota(source.begin(), source.end(), 0);
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType line = 0; line < data->GetNumberOfLines(); ++line) {
+    data->GetLines()->GetCellAtId(line, ids);
+    std::map<vtkIdType, vtkIdType> copies;
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i) {
+      const vtkIdType id = ids->GetId(i);
+      if (lineOfPoint[id] < 0) lineOfPoint[id] = line;
+      if (lineOfPoint[id] == line) continue;
+      const auto [copy, isNew] = copies.try_emplace(id, static_cast<vtkIdType>(source.size()));
+      if (isNew) source.push_back(id);
+      ids->SetId(i, copy->second);
+    }
+    lines->InsertNextCell(ids);
+  }
+  const auto count = static_cast<vtkIdType>(source.size());
+  if (count == data->GetNumberOfPoints()) return data;
+  const auto own = vtkSmartPointer<vtkPolyData>::New();
+  own->ShallowCopy(data);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  own->GetPointData()->CopyAllocate(data->GetPointData(), count);
+  for (vtkIdType i = 0; i < count; ++i) {
+    points->SetPoint(i, data->GetPoint(source[i]));
+    own->GetPointData()->CopyData(data->GetPointData(), source[i], i);
+  }
+  own->SetPoints(points);
+  own->SetLines(lines);
+  return own;
+}
+
 }  // namespace
 
 std::string readAnimationTable(const std::string& fileName, AnimationTable& table) {
@@ -73,7 +113,8 @@ const ExpressionLibrary& defaultVisemes() {
   return library;
 }
 
-void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* input, vtkPolyData* output) {
+void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* curves, vtkPolyData* output) {
+  const vtkSmartPointer<vtkPolyData> input = withOwnPoints(curves);
   output->ShallowCopy(input);
   vtkSmartPointer<vtkPoints> points = doublePoints(input->GetPoints());
   vtkNew<vtkDoubleArray> displacement;

@@ -24,7 +24,7 @@ MIENANIMATION_EXPORT const ExpressionLibrary& defaultExpressions();
 MIENANIMATION_EXPORT const ExpressionLibrary& defaultVisemes();
 
 /// Writes curves that moved as a copy of the data they were read from (readFaceCurves), with all its arrays and
-/// the point array `Displacement` (mm).
-void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* input, vtkPolyData* output);
+/// the point array `Displacement` (mm); lines that shared a point get one each.
+void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* curves, vtkPolyData* output);
 
 }  // namespace mien

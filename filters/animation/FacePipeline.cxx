@@ -125,16 +125,6 @@ struct FacePipeline::Internals
     return text.str();
   }
 
-  void setSurface(const FaceSurfaceOptions& options)
-  {
-    face->SetScheme(options.scheme);
-    for (int patch = 0; patch < FaceLayout::patchCount; ++patch)
-      face->SetSmoothing(patch, options.smoothing[patch]);
-    face->SetNumberOfModes(options.modes);
-    face->SetRemainder(options.remainder);
-    face->SetDerivativeStrength(options.derivativeStrength);
-  }
-
   void setGrid()
   {
     face->SetResolution(state.rows, state.columns);
@@ -206,7 +196,7 @@ void FacePipeline::setState(const FaceState& state)
   this->Impl->state = state;
   this->Impl->reader->SetFileName(state.curvesFile.empty() ? nullptr : state.curvesFile.c_str());
   this->Impl->setMotion();
-  this->Impl->setSurface(state.surface);
+  this->Impl->face->SetParameters(state.surface);
   this->Impl->setGrid();
 }
 

@@ -1,6 +1,7 @@
 #include "FaceState.h"
 
 #include "FAPFrame.h"
+#include "GridResolution.h"
 
 #include <cmath>
 #include <sstream>
@@ -19,16 +20,6 @@ std::string number(double value) {
 auto members(const FaceState& s) {
   return std::tie(s.curvesFile, s.surface, s.rows, s.columns, s.uniformRows, s.doublePrecision, s.fapFile, s.frameChoice,
                   s.frame, s.interpolateFrames, s.fapValues, s.expression, s.expressionIntensity);
-}
-
-std::string describeResolutionFault(const FaceState& state) {
-  const std::string asked = "a resolution of " + std::to_string(state.rows) + "x" + std::to_string(state.columns);
-  if (state.rows < RowLayout::minimumRows || state.columns < FaceState::smallestColumns)
-    return asked + " is too coarse; at least " + std::to_string(RowLayout::minimumRows) + "x" +
-           std::to_string(FaceState::smallestColumns) + " is needed";
-  if (static_cast<double>(state.rows) * state.columns > FaceState::mostPoints)
-    return asked + " is too fine; at most " + std::to_string(static_cast<long>(FaceState::mostPoints)) + " points are allowed";
-  return {};
 }
 
 std::string describeFrameFault(const FaceState& state) {
@@ -59,7 +50,7 @@ std::string describeFAPFault(const FaceState& state) {
 bool FaceState::operator==(const FaceState& other) const { return members(*this) == members(other); }
 
 std::string describeFault(const FaceState& state, int pointsPerCurve) {
-  for (const std::string& fault : {describeFault(state.surface, pointsPerCurve), describeResolutionFault(state),
+  for (const std::string& fault : {describeFault(state.surface, pointsPerCurve), describeResolutionFault(state.rows, state.columns, RowLayout::minimumRows),
                                    describeFrameFault(state), describeFAPFault(state)})
     if (!fault.empty()) return fault;
   return {};

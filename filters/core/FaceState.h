@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FaceSurface.h"
+#include "GridResolution.h"
 
 #include <map>
 #include <string>
@@ -12,8 +13,7 @@ namespace mien {
 /// Command-line options, sessions of the application and the metadata of figures read and write it; FaceStateText
 /// gives its text form and FacePipeline the VTK pipeline that shows it.
 struct FaceState {
-  static constexpr int smallestColumns = 3;
-  static constexpr double mostPoints = 134217728.0;  ///< rows x columns; about 3 GB with normals, single precision
+  static constexpr int smallestColumns = mien::smallestColumns;
   static constexpr double largestFAPValue = 1e6;     ///< in FAP units, either sign
 
   /// Which frame of an animation file.

@@ -60,6 +60,7 @@ RowMajor<double> surfaceInfluence(const FaceSurfaceOptions& options, int pointsP
   const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(columns + 1, 0.0, 2.0 * M_PI).head(columns);
   const HarmonicSplit split(pointsPerCurve, options.modes, options.remainder);
   PDESurface<double> surface(facePieces(options, layout), split, FaceLayout::curveCount, v, 0);
+  if (!surface.fault().empty()) return {};
   surface.setCurves(unitMove(pointsPerCurve, source));
   RowMajor<double> vectors(layout.rows().size(), 3 * columns);
   surface.evaluate(0, 0, 0, PDESurface<double>::Grid(vectors.data(), vectors.rows(), vectors.cols()));

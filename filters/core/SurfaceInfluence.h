@@ -16,7 +16,7 @@ struct InfluenceSource {
 };
 
 /// The move of the surface per unit move of the source, the same number for x, y and z since S = U B is linear
-/// [S 3.1]: (rows of the layout x columns), no unit.
+/// [S 3.1]: (rows of the layout x columns), no unit. Empty when the scheme's conditions determine no surface.
 RowMajor<double> surfaceInfluence(const FaceSurfaceOptions& options, int pointsPerCurve, const RowLayout& layout, int columns,
                                   const InfluenceSource& source);
 

@@ -13,6 +13,7 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
+#include <cmath>
 #include <vector>
 
 namespace mien {
@@ -25,6 +26,8 @@ vtkIdType closedLineLength(vtkPolyData* data, vtkIdList* ids)
   const vtkIdType n = ids->GetNumberOfIds();
   if (n < 3)
     return 0;
+  if (ids->GetId(0) == ids->GetId(n - 1))
+    return n - 1; // also where the point is not finite, which is told apart later
   double first[3], last[3];
   data->GetPoint(ids->GetId(0), first);
   data->GetPoint(ids->GetId(n - 1), last);
@@ -41,6 +44,8 @@ std::string checkLines(vtkPolyData* data)
 {
   if (!data || data->GetNumberOfLines() == 0)
     return "there are no lines; boundary curves are closed polylines";
+  if (!data->GetLines()->IsValid())
+    return "the lines have offsets that do not fit their point ids; write the file again";
   vtkNew<vtkIdList> ids;
   vtkIdType expected = 0;
   for (vtkIdType line = 0; line < data->GetNumberOfLines(); ++line)
@@ -87,16 +92,31 @@ std::string readFeatures(vtkFieldData* fields, FaceCurves& face)
   if (!ids || !curve || !v)
     return {};
   const vtkIdType n = ids->GetNumberOfValues();
-  if (curve->GetNumberOfTuples() != n || v->GetNumberOfTuples() != n)
-    return "field arrays FeatureId, FeatureCurve and FeatureV differ in length";
+  for (vtkDataArray* array : { curve, v })
+    if (array->GetNumberOfTuples() != n || array->GetNumberOfComponents() != 1)
+      return "field array " + std::string(array->GetName()) + " has " + std::to_string(array->GetNumberOfValues()) +
+        " values for the " + std::to_string(n) + " of FeatureId; give one for each";
   for (vtkIdType i = 0; i < n; ++i)
   {
-    const int id = static_cast<int>(curve->GetTuple1(i));
+    const double asked = curve->GetTuple1(i);
+    if (!(asked >= 1.0 && asked <= FaceLayout::curveCount && std::floor(asked) == asked))
+      return "field array FeatureCurve, value " + std::to_string(i) + " (feature point " + ids->GetValue(i) +
+        ") is no curve; give a CurveId from 1 to " + std::to_string(FaceLayout::curveCount);
+    const int id = static_cast<int>(asked);
     const int index = id == FaceLayout::curveCount ? FaceLayout::lowerLip
                                                    : (id <= FaceLayout::lowerLip ? id - 1 : id);
     face.features.push_back({ ids->GetValue(i), index, v->GetTuple1(i) });
   }
   return {};
+}
+
+/// Lengths in another unit would pass for a face of another size; without the array they are taken as mm.
+std::string describeUnitsFault(vtkFieldData* fields)
+{
+  auto* units = vtkStringArray::SafeDownCast(fields->GetAbstractArray("Units"));
+  if (!units || units->GetNumberOfValues() == 0 || units->GetValue(0) == "mm")
+    return {};
+  return "field array Units says '" + units->GetValue(0) + "', but lengths are in mm here; convert the curves to mm";
 }
 
 void readPupils(vtkFieldData* fields, FaceCurves& face)
@@ -244,7 +264,9 @@ std::string readFaceCurves(vtkPolyData* data, FaceCurves& face)
   read.curves = ClosedCurves(FaceLayout::curveCount, pointsPerLine(data));
   for (int index = 0; index < FaceLayout::curveCount; ++index)
     copyLine(data, lineOfCurve[index], read.curves, index);
-  fault = readFeatures(data->GetFieldData(), read);
+  fault = describeUnitsFault(data->GetFieldData());
+  if (fault.empty())
+    fault = readFeatures(data->GetFieldData(), read);
   readPupils(data->GetFieldData(), read);
   HeadRotation turned;
   if (fault.empty())

@@ -52,6 +52,11 @@ void PipelineErrors::observe(vtkAlgorithm* algorithm)
       source->AddObserver(event, this->Kept);
 }
 
+vtkCommand* PipelineErrors::observer() const
+{
+  return this->Kept;
+}
+
 std::string PipelineErrors::first() const
 {
   return this->Kept->errors.empty() ? std::string() : this->Kept->errors.front();

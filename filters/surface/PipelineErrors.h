@@ -6,6 +6,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkCommand;
 
 /// What the filters of a pipeline report, kept instead of printed to the console.
 ///
@@ -22,6 +23,9 @@ public:
   PipelineErrors& operator=(const PipelineErrors&) = delete;
 
   void observe(vtkAlgorithm* algorithm);
+
+  /// What hears the events, for objects within a filter that take an observer of their own.
+  vtkCommand* observer() const;
 
   /// The first error since the last clear(), which those after it follow from; nothing when there was none.
   std::string first() const;

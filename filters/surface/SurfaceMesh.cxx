@@ -1,5 +1,6 @@
 #include "SurfaceMesh.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -107,6 +108,13 @@ void requestWhole(vtkInformation* input)
   input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   if (input->Has(Pipeline::WHOLE_EXTENT()))
     input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+}
+
+void offerGrid(vtkInformation* output, int rows, int columns)
+{
+  const int extent[6] = { 0, columns, 0, rows - 1, 0, 0 };
+  output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
 }
 
 vtkSmartPointer<vtkPolyData> visibleSurface(vtkDataObject* data)

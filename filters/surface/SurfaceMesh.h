@@ -15,6 +15,9 @@ namespace mien
 /// Asks an input for all of its data, whatever part of an output is wanted; an input that is not there is none.
 void requestWhole(vtkInformation* input);
 
+/// Announces a structured grid of rows x columns, the closing column added, of which any part can be asked for.
+void offerGrid(vtkInformation* output, int rows, int columns);
+
 /// The visible cells of a structured grid, or a polydata as it is; nothing from anything else.
 vtkSmartPointer<vtkPolyData> visibleSurface(vtkDataObject* data);
 

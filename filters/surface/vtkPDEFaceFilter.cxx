@@ -2,8 +2,10 @@
 
 #include "BoundaryCurveData.h"
 #include "FaceSurface.h"
+#include "GridResolution.h"
 #include "MouthCorners.h"
 #include "SurfaceGrid.h"
+#include "SurfaceMesh.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -19,8 +21,6 @@ vtkStandardNewMacro(vtkPDEFaceFilter);
 
 namespace
 {
-
-constexpr int minimumColumns = 3;
 
 /// The grid with everything but its extent.
 mien::SurfaceGridLayout faceLayout(const mien::RowLayout& rows, int columns, const mien::FaceCurves& face)
@@ -100,21 +100,18 @@ int vtkPDEFaceFilter::FillOutputPortInformation(int, vtkInformation* info)
 
 bool vtkPDEFaceFilter::CheckResolution()
 {
-  if (this->NumberOfRows >= mien::RowLayout::minimumRows && this->NumberOfColumns >= minimumColumns)
-    return true;
-  vtkErrorMacro(<< "a resolution of " << this->NumberOfRows << "x" << this->NumberOfColumns << " is too coarse; at least "
-                << mien::RowLayout::minimumRows << "x" << minimumColumns << " is needed");
-  return false;
+  const std::string fault =
+    mien::describeResolutionFault(this->NumberOfRows, this->NumberOfColumns, mien::RowLayout::minimumRows);
+  if (!fault.empty())
+    vtkErrorMacro(<< fault);
+  return fault.empty();
 }
 
 int vtkPDEFaceFilter::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   if (!this->CheckResolution())
     return 0;
-  const int extent[6] = { 0, this->NumberOfColumns, 0, this->NumberOfRows - 1, 0, 0 };
-  vtkInformation* info = outputs->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  info->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
+  mien::offerGrid(outputs->GetInformationObject(0), this->NumberOfRows, this->NumberOfColumns);
   return 1;
 }
 
@@ -123,11 +120,10 @@ int vtkPDEFaceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   mien::FaceCurves face;
   if (!this->ReadInput(inputs, face))
     return 0;
-  this->MakeSurface(face, this->GetOptions(), outputs);
-  return 1;
+  return this->MakeSurface(face, this->GetOptions(), outputs) ? 1 : 0;
 }
 
-void vtkPDEFaceFilter::MakeSurface(
+bool vtkPDEFaceFilter::MakeSurface(
   const mien::FaceCurves& face, const mien::FaceSurfaceOptions& options, vtkInformationVector* outputs)
 {
   const mien::RowLayout rows(this->NumberOfRows, this->UniformRows);
@@ -135,9 +131,14 @@ void vtkPDEFaceFilter::MakeSurface(
   layout.curvatures = this->GenerateCurvatures;
   outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), layout.extent);
   if (layout.extent[1] < layout.extent[0] || layout.extent[3] < layout.extent[2])
-    return;
+    return true;
   this->Impl->prepare(options, rows, layout, face.curves.pointsPerCurve, this->OutputPointsPrecision == DOUBLE_PRECISION);
-  this->Impl->grid->execute(face.curves, this->GenerateDerivatives, this, vtkStructuredGrid::GetData(outputs));
+  const std::string fault = this->Impl->grid->fault();
+  if (fault.empty())
+    this->Impl->grid->execute(face.curves, this->GenerateDerivatives, this, vtkStructuredGrid::GetData(outputs));
+  else
+    vtkErrorMacro(<< fault);
+  return fault.empty();
 }
 
 void vtkPDEFaceFilter::PrintSelf(ostream& os, vtkIndent indent)

@@ -11,7 +11,7 @@
  *
  * Equation: (d2/du2 + a^2 d2/dv2)^m S = 0 per patch, Fourier modes 0 .. N and one remainder
  * [Sheng et al. 2011, eq. 1-11]. Honours update extents and pieces; runs through vtkSMPTools.
- * Errors: those of vtkPDEFaceAlgorithm, and a resolution that is too coarse.
+ * Errors: those of vtkPDEFaceAlgorithm, and a resolution that is too coarse or too fine.
  */
 #ifndef vtkPDEFaceFilter_h
 #define vtkPDEFaceFilter_h
@@ -33,7 +33,7 @@ public:
 
   ///@{
   /** Rows (u, both lip rows counted) and columns (v, without the closing one). Default 56 x 40; rows 11 ..,
-   *  columns 3 .. */
+   *  columns 3 .., together at most 134217728 points. */
   void SetResolution(int rows, int columns);
   vtkGetMacro(NumberOfRows, int);
   vtkGetMacro(NumberOfColumns, int);
@@ -76,12 +76,12 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// False, after an error, when the resolution is too coarse.
+  /// False, after an error, when the resolution is too coarse or too fine.
   bool CheckResolution();
 
   /// Writes the surface that `options` make of the curves into the part of the grid that is wanted on port 0; leaves it empty
-  /// when aborted.
-  void MakeSurface(const mien::FaceCurves& face, const mien::FaceSurfaceOptions& options, vtkInformationVector* outputs);
+  /// when aborted. False, after an error, when the conditions determine no surface.
+  bool MakeSurface(const mien::FaceCurves& face, const mien::FaceSurfaceOptions& options, vtkInformationVector* outputs);
 
 private:
   vtkPDEFaceFilter(const vtkPDEFaceFilter&) = delete;

@@ -10,10 +10,8 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPDEFaceFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTable.h"
 
@@ -22,23 +20,31 @@
 
 vtkStandardNewMacro(vtkPDEInfluenceFilter);
 
+/// So that the class's header needs no Eigen.
+struct mien::InfluenceGrid
+{
+  const RowMajor<double>& values;
+};
+
 namespace
 {
 
-constexpr int minimumColumns = 3;
 constexpr int portOfProfile = 1;
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-/// The last column repeats the first, as the grid's points do.
-vtkSmartPointer<vtkDoubleArray> influenceArray(const mien::RowMajor<double>& influence, const double direction[3])
+/// The part that the grid's extent covers; the last column repeats the first, as the grid's points do.
+vtkSmartPointer<vtkDoubleArray> influenceArray(
+  const mien::RowMajor<double>& influence, const double direction[3], vtkStructuredGrid* grid)
 {
   double unit[3] = { direction[0], direction[1], direction[2] };
   vtkMath::Normalize(unit);
+  int extent[6];
+  grid->GetExtent(extent);
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName("Influence");
   array->SetNumberOfComponents(3);
-  for (Eigen::Index row = 0; row < influence.rows(); ++row)
-    for (Eigen::Index column = 0; column <= influence.cols(); ++column)
+  for (int row = extent[2]; row <= extent[3]; ++row)
+    for (int column = extent[0]; column <= extent[1]; ++column)
     {
       const double length = influence(row, column % influence.cols());
       array->InsertNextTuple3(length * unit[0], length * unit[1], length * unit[2]);
@@ -76,14 +82,10 @@ vtkPDEInfluenceFilter::vtkPDEInfluenceFilter()
   : Impl(new Internals)
 {
   this->SetNumberOfOutputPorts(2);
+  this->SetOutputPointsPrecision(DOUBLE_PRECISION);
 }
 
 vtkPDEInfluenceFilter::~vtkPDEInfluenceFilter() = default;
-
-vtkStructuredGrid* vtkPDEInfluenceFilter::GetOutput()
-{
-  return vtkStructuredGrid::SafeDownCast(this->GetOutputDataObject(0));
-}
 
 vtkTable* vtkPDEInfluenceFilter::GetProfile()
 {
@@ -95,15 +97,6 @@ void vtkPDEInfluenceFilter::SetCurve(const std::string& name)
   if (name == this->Curve)
     return;
   this->Curve = name;
-  this->Modified();
-}
-
-void vtkPDEInfluenceFilter::SetResolution(int rows, int columns)
-{
-  if (rows == this->NumberOfRows && columns == this->NumberOfColumns)
-    return;
-  this->NumberOfRows = rows;
-  this->NumberOfColumns = columns;
   this->Modified();
 }
 
@@ -129,20 +122,9 @@ double vtkPDEInfluenceFilter::GetHalfWidthBelowInRows() const
 
 int vtkPDEInfluenceFilter::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == portOfProfile ? "vtkTable" : "vtkStructuredGrid");
-  return 1;
-}
-
-int vtkPDEInfluenceFilter::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
-{
-  if (this->NumberOfRows < mien::RowLayout::minimumRows || this->NumberOfColumns < minimumColumns)
-  {
-    vtkErrorMacro(<< "a resolution of " << this->NumberOfRows << "x" << this->NumberOfColumns << " is too coarse; at least "
-                  << mien::RowLayout::minimumRows << "x" << minimumColumns << " is needed");
-    return 0;
-  }
-  const int extent[6] = { 0, this->NumberOfColumns, 0, this->NumberOfRows - 1, 0, 0 };
-  outputs->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  if (port != portOfProfile)
+    return this->Superclass::FillOutputPortInformation(port, info);
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
   return 1;
 }
 
@@ -159,45 +141,47 @@ std::string vtkPDEInfluenceFilter::DescribeFault(int pointsPerCurve) const
   return {};
 }
 
-void vtkPDEInfluenceFilter::MakeFace(vtkDataObject* curves, vtkStructuredGrid* grid)
-{
-  vtkNew<vtkPDEFaceFilter> face;
-  const mien::FaceSurfaceOptions& options = this->GetOptions();
-  face->SetInputData(curves);
-  face->SetScheme(options.scheme);
-  for (int patch = 0; patch < mien::FaceLayout::patchCount; ++patch)
-    face->SetSmoothing(patch, options.smoothing[patch]);
-  face->SetNumberOfModes(options.modes);
-  face->SetRemainder(options.remainder);
-  face->SetDerivativeStrength(options.derivativeStrength);
-  face->SetResolution(this->NumberOfRows, this->NumberOfColumns);
-  face->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  face->Update();
-  grid->ShallowCopy(face->GetOutput());
-}
-
 int vtkPDEInfluenceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   std::fill(this->Impl->halfWidths, this->Impl->halfWidths + 4, undefined);
   mien::FaceCurves face;
   if (!this->ReadInput(inputs, face))
     return 0;
-  const std::string fault = this->DescribeFault(face.curves.pointsPerCurve);
+  std::string fault = this->DescribeFault(face.curves.pointsPerCurve);
+  const mien::RowLayout layout(this->GetNumberOfRows(), this->GetUniformRows());
+  const mien::InfluenceSource source = { mien::FaceLayout::curveIndex(this->Curve), this->Point };
+  mien::RowMajor<double> influence;
+  if (fault.empty())
+  {
+    influence = mien::surfaceInfluence(this->GetOptions(), face.curves.pointsPerCurve, layout, this->GetNumberOfColumns(), source);
+    if (influence.size() == 0)
+      fault = "the conditions of scheme " + this->GetScheme() + " do not determine a surface; choose another";
+  }
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);
     return 0;
   }
-  const int curve = mien::FaceLayout::curveIndex(this->Curve);
-  const mien::RowLayout layout(this->NumberOfRows, false);
-  const mien::RowMajor<double> influence =
-    mien::surfaceInfluence(this->GetOptions(), face.curves.pointsPerCurve, layout, this->NumberOfColumns, { curve, this->Point });
-  const mien::InfluenceProfile profile(influence, layout, curve);
+  this->UpdateProgress(0.5);
+  if (this->GetAbortExecute())
+    return 1;
+  return this->MakeSurface(face, this->GetOptions(), outputs) ? this->FillOutputs({ influence }, layout, outputs) : 0;
+}
+
+int vtkPDEInfluenceFilter::FillOutputs(
+  const mien::InfluenceGrid& influence, const mien::RowLayout& layout, vtkInformationVector* outputs)
+{
+  vtkStructuredGrid* grid = vtkStructuredGrid::GetData(outputs, 0);
+  if (this->GetAbortExecute())
+  {
+    grid->Initialize();
+    return 1;
+  }
+  const mien::InfluenceProfile profile(influence.values, layout, mien::FaceLayout::curveIndex(this->Curve));
   const double widths[4] = { profile.curvesAbove, profile.curvesBelow, profile.rowsAbove, profile.rowsBelow };
   std::copy(widths, widths + 4, this->Impl->halfWidths);
-  vtkStructuredGrid* grid = vtkStructuredGrid::GetData(outputs, 0);
-  this->MakeFace(vtkDataObject::GetData(inputs[0]), grid);
-  grid->GetPointData()->AddArray(influenceArray(influence, this->Direction));
+  if (grid->GetNumberOfPoints() > 0)
+    grid->GetPointData()->AddArray(influenceArray(influence.values, this->Direction, grid));
   fillProfile(profile, vtkTable::GetData(outputs, portOfProfile));
   return 1;
 }
@@ -208,6 +192,4 @@ void vtkPDEInfluenceFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Curve: " << this->Curve << "\n";
   os << indent << "Point: " << this->Point << "\n";
   os << indent << "Direction: " << this->Direction[0] << " " << this->Direction[1] << " " << this->Direction[2] << "\n";
-  os << indent << "NumberOfRows: " << this->NumberOfRows << "\n";
-  os << indent << "NumberOfColumns: " << this->NumberOfColumns << "\n";
 }

@@ -16,19 +16,23 @@
 #define vtkPDEInfluenceFilter_h
 
 #include "MienSurfaceModule.h"
-#include "vtkPDEFaceAlgorithm.h"
+#include "vtkPDEFaceFilter.h"
 
-class vtkStructuredGrid;
 class vtkTable;
 
-class MIENSURFACE_EXPORT vtkPDEInfluenceFilter : public vtkPDEFaceAlgorithm
+namespace mien
+{
+class RowLayout;
+struct InfluenceGrid;
+}
+
+class MIENSURFACE_EXPORT vtkPDEInfluenceFilter : public vtkPDEFaceFilter
 {
 public:
   static vtkPDEInfluenceFilter* New();
-  vtkTypeMacro(vtkPDEInfluenceFilter, vtkPDEFaceAlgorithm);
+  vtkTypeMacro(vtkPDEInfluenceFilter, vtkPDEFaceFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  vtkStructuredGrid* GetOutput();
   vtkTable* GetProfile();
 
   ///@{
@@ -50,13 +54,6 @@ public:
   ///@}
 
   ///@{
-  /** Rows and columns of the grid, as in vtkPDEFaceFilter. Default 56 x 40. */
-  void SetResolution(int rows, int columns);
-  vtkGetMacro(NumberOfRows, int);
-  vtkGetMacro(NumberOfColumns, int);
-  ///@}
-
-  ///@{
   /** How far from the curve the influence of the last update has fallen to half of what it is there, towards C1 (Above) and towards
    *  C28 (Below), counted in curves or rows of the grid; NaN where it does not fall so far, and before an update. */
   double GetHalfWidthAbove() const;
@@ -69,7 +66,6 @@ protected:
   vtkPDEInfluenceFilter();
   ~vtkPDEInfluenceFilter() override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -77,15 +73,13 @@ private:
   void operator=(const vtkPDEInfluenceFilter&) = delete;
 
   std::string DescribeFault(int pointsPerCurve) const;
-  void MakeFace(vtkDataObject* curves, vtkStructuredGrid* grid);
+  int FillOutputs(const mien::InfluenceGrid& influence, const mien::RowLayout& layout, vtkInformationVector* outputs);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
   std::string Curve = "C10";
   int Point = -1;
   double Direction[3] = { 0.0, 0.0, 1.0 };
-  int NumberOfRows = 56;
-  int NumberOfColumns = 40;
 };
 
 #endif

@@ -143,6 +143,11 @@ int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   this->Impl->prepare(
     options, this->GetNumberOfRows(), this->GetNumberOfColumns(), this->GetUniformRows(), face.curves.pointsPerCurve);
   mien::ModeSpectrum& spectrum = *this->Impl->spectrum;
+  if (!spectrum.fault().empty())
+  {
+    vtkErrorMacro(<< spectrum.fault());
+    return 0;
+  }
   spectrum.setCurves(face.curves);
   double progress = 0.0;
   const std::vector<ModeMeasures> measures = spectrum.measures([&] {
@@ -155,11 +160,14 @@ int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
     shown.modes = this->Mode; // the sum of the first modes is the surface that has no others
     shown.remainder = false;
   }
-  if (!measures.empty())
-    this->MakeSurface(face, shown, outputs);
-  if (this->GetAbortExecute())
-    return 1;
+  if (!measures.empty() && !this->MakeSurface(face, shown, outputs))
+    return 0;
   vtkStructuredGrid* output = vtkStructuredGrid::GetData(outputs);
+  if (this->GetAbortExecute())
+  {
+    output->Initialize(); // an abort that came after the last row leaves no half output either
+    return 1;
+  }
   if (output->GetNumberOfPoints() > 0)
     addContribution(spectrum.contribution(this->Mode < 0 ? options.modes + 1 : this->Mode), output);
   fillTable(measures, vtkTable::GetData(outputs, 1));
@@ -190,6 +198,11 @@ int vtkPDEModeFilter::FindNumberOfModes(double tolerance)
   // errors are exact in v without sampling it
   mien::ModeSpectrum spectrum(options, mien::RowLayout(this->GetNumberOfRows(), this->GetUniformRows()),
     face.curves.pointsPerCurve, Eigen::VectorXd::Zero(1));
+  if (!spectrum.fault().empty())
+  {
+    vtkErrorMacro(<< spectrum.fault());
+    return -1;
+  }
   spectrum.setCurves(face.curves);
   return mien::smallestModeCount(spectrum.measures(), tolerance);
 }

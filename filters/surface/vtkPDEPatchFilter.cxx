@@ -1,6 +1,7 @@
 #include "vtkPDEPatchFilter.h"
 
 #include "BoundaryCurveData.h"
+#include "GridResolution.h"
 #include "SurfaceGrid.h"
 #include "SurfaceMesh.h"
 
@@ -12,6 +13,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -21,7 +23,6 @@ namespace
 {
 
 constexpr int minimumRows = 2;
-constexpr int minimumColumns = 3;
 constexpr int largestOrder = 16;
 constexpr double largestSmoothing = 1000.0;
 
@@ -33,19 +34,38 @@ std::vector<mien::Condition> evenConditions(int count)
   return conditions;
 }
 
-/// From the cell arrays U and Derivative, one value per line; nothing without them.
-std::vector<mien::Condition> conditionsOf(vtkPolyData* curves)
+/// One sentence when a cell array does not have one number per cell, or nothing; without the array there is no fault.
+std::string describeLengthFault(vtkDataArray* array, vtkIdType cells)
+{
+  if (!array || (array->GetNumberOfTuples() == cells && array->GetNumberOfComponents() == 1))
+    return {};
+  return "cell array " + std::string(array->GetName()) + " has " + std::to_string(array->GetNumberOfTuples()) + " values of " +
+    std::to_string(array->GetNumberOfComponents()) + " components; it needs one number for each of the " + std::to_string(cells) +
+    " lines";
+}
+
+/// From the cell arrays U and Derivative, one value per line; no conditions without them.
+std::string readConditions(vtkPolyData* curves, std::vector<mien::Condition>& conditions)
 {
   vtkDataArray* u = curves->GetCellData()->GetArray("U");
   vtkDataArray* derivative = curves->GetCellData()->GetArray("Derivative");
-  std::vector<mien::Condition> conditions;
+  for (vtkDataArray* array : { u, derivative })
+  {
+    const std::string fault = describeLengthFault(array, curves->GetNumberOfCells());
+    if (!fault.empty())
+      return fault;
+  }
   const vtkIdType firstLine = curves->GetNumberOfVerts();
-  const vtkIdType count = curves->GetNumberOfLines();
-  if (!u || u->GetNumberOfTuples() < firstLine + count)
-    return conditions;
+  const int count = static_cast<int>(u ? std::min<vtkIdType>(curves->GetNumberOfLines(), largestOrder) : 0);
   for (int i = 0; i < count; ++i)
-    conditions.push_back({ u->GetTuple1(firstLine + i), derivative ? static_cast<int>(derivative->GetTuple1(firstLine + i)) : 0, i });
-  return conditions;
+  {
+    const double order = derivative ? derivative->GetTuple1(firstLine + i) : 0.0;
+    if (!(order >= 0.0 && order < largestOrder && std::floor(order) == order))
+      return "array Derivative, line " + std::to_string(i) + ": " + std::to_string(order) +
+        " is no order of a derivative; give a whole number from 0 to one less than there are curves";
+    conditions.push_back({ u->GetTuple1(firstLine + i), static_cast<int>(order), i });
+  }
+  return {};
 }
 
 std::string describeFault(const std::vector<mien::Condition>& conditions, int curveCount)
@@ -144,16 +164,13 @@ int vtkPDEPatchFilter::FillInputPortInformation(int, vtkInformation* info)
 
 int vtkPDEPatchFilter::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  if (this->NumberOfRows < minimumRows || this->NumberOfColumns < minimumColumns)
+  const std::string fault = mien::describeResolutionFault(this->NumberOfRows, this->NumberOfColumns, minimumRows);
+  if (!fault.empty())
   {
-    vtkErrorMacro(<< "a resolution of " << this->NumberOfRows << "x" << this->NumberOfColumns << " is too coarse; at least "
-                  << minimumRows << "x" << minimumColumns << " is needed");
+    vtkErrorMacro(<< fault);
     return 0;
   }
-  const int extent[6] = { 0, this->NumberOfColumns, 0, this->NumberOfRows - 1, 0, 0 };
-  vtkInformation* info = outputs->GetInformationObject(0);
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  info->Set(CAN_PRODUCE_SUB_EXTENT(), 1);
+  mien::offerGrid(outputs->GetInformationObject(0), this->NumberOfRows, this->NumberOfColumns);
   return 1;
 }
 
@@ -171,7 +188,7 @@ int vtkPDEPatchFilter::RequestData(vtkInformation*, vtkInformationVector** input
   std::string fault = mien::readClosedCurves(input, curves);
   std::vector<mien::Condition> conditions = this->Impl->conditions;
   if (conditions.empty() && fault.empty())
-    conditions = conditionsOf(input);
+    fault = readConditions(input, conditions);
   if (conditions.empty())
     conditions = evenConditions(curves.count);
   if (fault.empty())

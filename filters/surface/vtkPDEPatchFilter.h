@@ -4,7 +4,7 @@
  *
  * Input: vtkPolyData, 2m closed polylines (2m even, 2 .. 16) of K points each, K even and at least 8, in the unit of your choice.
  * Each gives one condition: the surface, or its u-derivative of some order, equals the curve at some u.
- * Conditions come from AddCondition(), else from the cell arrays `U` (0 .. 1) and `Derivative` (0, 1, 2 ..),
+ * Conditions come from AddCondition(), else from the cell arrays `U` (0 .. 1) and `Derivative` (whole numbers 0 .. 2m - 1),
  * else the curves are passed in their order at equal steps of u.
  * Output: vtkStructuredGrid of (NumberOfColumns + 1) x NumberOfRows points, v fastest, the last column
  * repeating the first. Point arrays `Normals`, `TextureCoordinates` (v / 2 pi, 1 - u), optionally `Su`, `Sv`; cell
@@ -29,7 +29,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The condition that the next curve gives: where (u, 0 .. 1) and which derivative (0 .. 7). Default: none. */
+  /** The condition that the next curve gives: where (u, 0 .. 1) and which derivative (0 .. 2m - 1). Default: none. */
   void AddCondition(double u, int derivative);
   void ClearConditions();
   int GetNumberOfConditions() const;
@@ -55,7 +55,8 @@ public:
   ///@}
 
   ///@{
-  /** Rows (u) and columns (v, without the closing one). Default 40 x 40; at least 2 x 3. */
+  /** Rows (u) and columns (v, without the closing one). Default 40 x 40; at least 2 x 3, at most
+   *  134217728 points. */
   void SetResolution(int rows, int columns);
   vtkGetMacro(NumberOfRows, int);
   vtkGetMacro(NumberOfColumns, int);

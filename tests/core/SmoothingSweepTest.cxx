@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 using namespace mien;
 
@@ -89,6 +90,15 @@ TEST(SmoothingSweep, AsksForDistancesWhereItCan) {
   ASSERT_TRUE(records);
   EXPECT_GT(valueOf((*records)[0], "distance_rms_mm"), 50.0);
   EXPECT_TRUE(std::isnan(valueOf((*records)[3], "distance_rms_mm")));
+}
+
+TEST(SmoothingSweep, AnExceptionOfAnyThreadReachesTheCaller) {
+  for (const int threads : {1, 2, 1000000}) {
+    SmoothingSweepOptions options = smallSweep();
+    options.threads = threads;
+    options.distance = [](const FaceSample&) -> double { throw std::runtime_error("no distance"); };
+    EXPECT_THROW(smoothingSweep(randomFace(), options), std::runtime_error) << threads;
+  }
 }
 
 TEST(SmoothingSweep, FaultsSayWhatIsAllowed) {

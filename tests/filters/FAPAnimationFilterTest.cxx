@@ -17,6 +17,9 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "FaceLayout.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -319,4 +322,41 @@ TEST(FAPAnimationFilter, ATurnedHeadIsRigidAndIsReadAgain) {
   copy->DeepCopy(filter->GetOutput());
   copy->GetFieldData()->RemoveArray("HeadRotation");
   EXPECT_NE(mien::readFaceCurves(copy, turned).find("without crossing"), std::string::npos);
+}
+
+// A file whose writer merged equal points: the closed lips would move as one.
+TEST(FAPAnimationFilter, LipsThatSharePointsOpen) {
+  vtkNew<vtkPolyData> merged, separate;
+  fill(merged);
+  fill(separate);
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIdList> ids;
+  int shared = 0;
+  for (vtkIdType line = 0; line < merged->GetNumberOfLines(); ++line) {
+    merged->GetLines()->GetCellAtId(line, ids);
+    for (vtkIdType i = 0; line == mien::FaceLayout::lowerLip && i < ids->GetNumberOfIds(); ++i) {
+      double lower[3], upper[3];
+      const vtkIdType above = ids->GetId(i) - 40;
+      merged->GetPoint(ids->GetId(i), lower);
+      merged->GetPoint(above, upper);
+      if (!std::equal(lower, lower + 3, upper)) continue;
+      ids->SetId(i, above);
+      ++shared;
+    }
+    lines->InsertNextCell(ids);
+  }
+  ASSERT_GT(shared, 5);
+  merged->SetLines(lines);
+  mien::ClosedCurves moved[2];
+  for (const int i : {0, 1}) {
+    vtkNew<vtkFAPAnimationFilter> filter;
+    filter->SetInputData(i == 0 ? merged : separate);
+    filter->SetFAP(3, 300.0);
+    filter->SetFAP(51, -100.0);
+    filter->Update();
+    ASSERT_EQ(mien::readClosedCurves(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)), moved[i]), "");
+  }
+  EXPECT_EQ(moved[0].points, moved[1].points);
+  const int lower = mien::FaceLayout::lowerLip * 40 + 20;
+  EXPECT_GT(std::abs(moved[0].points(lower, 1) - moved[0].points(lower - 40, 1)), 1.0);
 }

@@ -7,11 +7,13 @@
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkGeometryFilter.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -293,6 +295,11 @@ TEST(PDEFaceFilter, RefusesWhatItCannotSolveAndLeavesNoOutput) {
   refused([](Face& f) { f.filter->SetNumberOfModes(21); }, "0 .. 20");
   refused([](Face& f) { f.filter->SetScheme("four-curve"); f.filter->SetSmoothing(50.0); }, "250");
   refused([](Face& f) { f.filter->SetResolution(10, 40); }, "11x3");
+  refused([](Face& f) { f.filter->SetResolution(56, 2000000000); }, "too fine");
+  refused([](Face& f) { f.filter->SetDerivativeStrength(1e9); }, "-1000 .. 1000");
+  refused([](Face& f) { f.filter->SetDerivativeStrength(NAN); }, "-1000 .. 1000");
+  refused([](Face& f) { f.curves->GetPoints()->SetPoint(0, NAN, 0, 0); f.curves->Modified(); }, "not a finite");
+  refused([](Face& f) { vtkStringArray::SafeDownCast(f.curves->GetFieldData()->GetAbstractArray("Units"))->SetValue(0, "cm"); }, "'cm'");
   refused([](Face& f) { f.curves->GetPoints()->SetPoint(3, NAN, 0, 0); f.curves->Modified(); }, "not a finite");
   refused([](Face& f) { f.curves->GetPoints()->SetPoint(3, 0, -500, 0); f.curves->Modified(); }, "C1");
   refused([](Face& f) { f.curves->Initialize(); }, "no lines");
@@ -311,4 +318,23 @@ TEST(PDEFaceFilter, AnAbortedUpdateLeavesNoHalfOutput) {
   face.filter->Modified();
   face.filter->Update();
   EXPECT_EQ(face.grid()->GetNumberOfPoints(), 2000 * 2001);
+}
+
+TEST(PDEFaceFilter, CopiesParametersOfAnotherFilter) {
+  Face one, other;
+  one.filter->SetScheme("tangent");
+  one.filter->SetSmoothing(3, 2.5);
+  one.filter->SetNumberOfModes(7);
+  one.filter->SetRemainder(false);
+  one.filter->SetDerivativeStrength(0.25);
+  other.filter->CopyParameters(one.filter);
+  EXPECT_EQ(other.filter->GetScheme(), "tangent");
+  EXPECT_EQ(other.filter->GetSmoothing(3), 2.5);
+  EXPECT_EQ(other.filter->GetSmoothing(4), 1.0);
+  EXPECT_EQ(other.filter->GetNumberOfModes(), 7);
+  EXPECT_FALSE(other.filter->GetRemainder());
+  EXPECT_EQ(other.filter->GetDerivativeStrength(), 0.25);
+  const vtkMTimeType before = other.filter->GetMTime();
+  other.filter->CopyParameters(one.filter);
+  EXPECT_EQ(other.filter->GetMTime(), before);
 }

@@ -3,6 +3,7 @@
 #include "ErrorCounter.h"
 
 #include "vtkBoundaryCurveReader.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
@@ -96,4 +97,40 @@ TEST(PDEInfluenceFilter, RefusesWhatDoesNotExist) {
   refused([](auto& f) { f.SetDirection(0.0, 0.0, 0.0); }, "direction");
   refused([](auto& f) { f.SetSmoothing(-1.0); }, "0 < a");
   refused([](auto& f) { f.SetResolution(3, 3); }, "3x3");
+  refused([](auto& f) { f.SetResolution(20000, 20000); }, "too fine");
+}
+
+TEST(PDEInfluenceFilter, PiecesEqualTheWholeAndShareItsProfile) {
+  Influence whole;
+  whole.filter->Update();
+  vtkDataArray* all = whole.filter->GetOutput()->GetPointData()->GetArray("Influence");
+  for (int piece = 0; piece < 3; ++piece) {
+    Influence part;
+    part.filter->UpdatePiece(piece, 3, 0);
+    vtkStructuredGrid* grid = part.filter->GetOutput();
+    int extent[6];
+    grid->GetExtent(extent);
+    ASSERT_GT(grid->GetNumberOfPoints(), 0);
+    ASSERT_LT(grid->GetNumberOfPoints(), 56 * 41);
+    vtkDataArray* some = grid->GetPointData()->GetArray("Influence");
+    ASSERT_EQ(some->GetNumberOfTuples(), grid->GetNumberOfPoints());
+    vtkIdType i = 0;
+    for (int row = extent[2]; row <= extent[3]; ++row)
+      for (int column = extent[0]; column <= extent[1]; ++column, ++i)
+        for (int c = 0; c < 3; ++c) ASSERT_EQ(some->GetTuple3(i)[c], all->GetTuple3(row * 41 + column)[c]) << row << " " << column;
+    EXPECT_EQ(part.filter->GetProfile()->GetNumberOfRows(), 56);
+    EXPECT_EQ(part.filter->GetHalfWidthAbove(), whole.filter->GetHalfWidthAbove());
+  }
+}
+
+TEST(PDEInfluenceFilter, AnAbortedUpdateLeavesNoHalfOutput) {
+  Influence influence;
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  influence.filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  influence.filter->Update();
+  EXPECT_EQ(influence.errors.count(), 0);
+  EXPECT_EQ(influence.filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(influence.filter->GetProfile()->GetNumberOfRows(), 0);
+  EXPECT_TRUE(std::isnan(influence.filter->GetHalfWidthAbove()));
 }

@@ -214,3 +214,16 @@ TEST(PDEModeFilter, AnAbortedUpdateLeavesNoHalfOutput) {
   modes.filter->Update();
   EXPECT_EQ(modes.grid()->GetNumberOfPoints(), 56 * 41);
 }
+
+TEST(PDEModeFilter, AnAbortAtTheEndLeavesBothPortsEmpty) {
+  Modes modes;
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
+    auto* filter = static_cast<vtkAlgorithm*>(caller);
+    if (filter->GetProgress() >= 1.0) filter->SetAbortExecute(1);
+  });
+  modes.filter->AddObserver(vtkCommand::ProgressEvent, abort);
+  modes.filter->Update();
+  EXPECT_EQ(modes.grid()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(modes.filter->GetSpectrum()->GetNumberOfRows(), 0);
+}

@@ -116,6 +116,16 @@ TEST(PDEParameterSweep, AnAbortedSweepLeavesNothingAndRunsAgain) {
   EXPECT_EQ(sweep.filter->GetOutput()->GetNumberOfRows(), 3);
 }
 
+TEST(PDEParameterSweep, ItsOwnSchemeAndSmoothingDoNotMatterBesideLists) {
+  Sweep sweep;
+  sweep.filter->AddScheme("spline");
+  sweep.filter->SetScheme("four-curve");
+  sweep.filter->SetSmoothing(900.0);  // which four-curve refuses
+  sweep.filter->Update();
+  EXPECT_EQ(sweep.errors.count(), 0) << sweep.errors.first();
+  EXPECT_EQ(sweep.filter->GetOutput()->GetNumberOfRows(), 3);
+}
+
 TEST(PDEParameterSweep, RefusesWhatItCannotSweep) {
   const auto refused = [](auto change, const char* word) {
     Sweep sweep;

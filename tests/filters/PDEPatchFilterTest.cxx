@@ -194,3 +194,35 @@ TEST(PDEPatchFilter, EmptyInputIsRefused) {
   EXPECT_NE(patch.errors.first().find("there are no lines"), std::string::npos) << patch.errors.first();
   EXPECT_EQ(patch.filter->GetOutput()->GetNumberOfPoints(), 0);
 }
+
+TEST(PDEPatchFilter, RefusesCellArraysThatAreNoConditions) {
+  const auto refused = [](const std::vector<double>& orders, const char* word) {
+    Patch patch(cut(vase, {0.0, 0.3, 0.6, 1.0}));
+    vtkNew<vtkDoubleArray> u, derivative;
+    u->SetName("U");
+    derivative->SetName("Derivative");
+    for (const double value : {0.0, 0.3, 0.6, 1.0}) u->InsertNextValue(value);
+    for (const double order : orders) derivative->InsertNextValue(order);
+    patch.curves->GetCellData()->AddArray(u);
+    patch.curves->GetCellData()->AddArray(derivative);
+    patch.filter->Update();
+    EXPECT_NE(patch.errors.first().find(word), std::string::npos) << patch.errors.first();
+    EXPECT_EQ(patch.filter->GetOutput()->GetNumberOfPoints(), 0);
+  };
+  refused({0.0, 0.0}, "Derivative has 2 values");
+  refused({0.0, std::nan(""), 0.0, 0.0}, "Derivative, line 1");
+  refused({0.0, 0.0, 1e300, 0.0}, "Derivative, line 2");
+  refused({0.0, 0.0, 0.0, -1.0}, "Derivative, line 3");
+  refused({0.5, 0.0, 0.0, 0.0}, "Derivative, line 0");
+  refused({0.0, 0.0, 0.0, 4.0}, "derivative = 0 .. 3");
+}
+
+TEST(PDEPatchFilter, RefusesAResolutionOutOfRange) {
+  for (const auto& [rows, columns] : {std::pair{1, 40}, {40, 2}, {2, 2000000000}, {2000000000, 3}, {100000, 100000}}) {
+    Patch patch(cut(vase, {0.0, 0.3, 0.6, 1.0}));
+    patch.filter->SetResolution(rows, columns);
+    patch.filter->Update();
+    EXPECT_NE(patch.errors.first().find("resolution of"), std::string::npos) << rows << "x" << columns;
+    EXPECT_EQ(patch.filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
