@@ -1,12 +1,13 @@
 /**
  * @class vtkFAPReader
- * @brief reads an MPEG-4 facial animation (.fap) and gives its frames over time
+ * @brief reads an MPEG-4 facial animation (.fap, or a table) and gives its frames over time
  *
  * Output: vtkTable with one row; double columns `frame`, `FAP1_viseme_select1` .. `FAP2_expression_def` and
  * `FAP3` .. `FAP68` (FAP units) as described in FAPTableData.h. The reader publishes TIME_STEPS (s; frame i, from 0,
  * is at i / frames per second) and TIME_RANGE, and answers UPDATE_TIME_STEP; the information of the output carries
  * DATA_TIME_STEP, the time of the frame given. Without a time request it gives the first frame.
- * The format, and what is accepted with a warning, is described in FAPParser.h.
+ * Formats, and what is accepted with a warning: .fap (FAPParser.h); tables with a header (.csv) of FAPs (FAPCsvParser.h),
+ * FACS action units or ARKit blendshapes (CaptureParser.h), which is seen from the header.
  * Errors: `FILE:LINE: what is wrong`. What was loaded before a refused file stays, with all that the getters say.
  * @sa vtkFAPAnimationFilter
  */
@@ -32,7 +33,7 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
 
   ///@{
   /**
-   * The .fap file. It is read again when it has changed on disk and the reader is updated after Modified().
+   * The .fap or .csv file. It is read again when it has changed on disk and the reader is updated after Modified().
    * Default: none.
    */
   vtkSetFilePathMacro(FileName);
@@ -52,13 +53,14 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
   vtkBooleanMacro(Interpolate, bool);
   ///@}
 
-  /** Whether a file is a .fap file without a fault: 1 or 0, in silence. */
+  /** Whether a file is one of these without a fault: 1 or 0, in silence. */
   static int CanReadFile(const char* fileName);
 
   ///@{
   /** What the file loaded last says; call UpdateInformation() first. */
   int GetNumberOfFrames() const;
   double GetFramesPerSecond() const;
+  std::string GetFormat() const;   ///< "FAPs (.fap)", "FAPs (table)", "FACS action units", "ARKit blendshapes"
   std::string GetName() const;
   std::string GetVersion() const;                ///< "2.0" or "2.1"; empty when the file has no header
   std::vector<std::string> GetWarnings() const;  ///< each `FILE:LINE: what`, in the order of the lines
@@ -82,6 +84,7 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
   std::string Load();
 
   char* FileName = nullptr;
+  std::string Format;
   int FrameIndex = -1;
   bool Interpolate = false;
 
