@@ -1,5 +1,6 @@
 #include "ActionFit.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -8,28 +9,87 @@ namespace mien {
 namespace {
 
 constexpr double lambda = 1e-4;
-constexpr int mostSweeps = 20000;
-constexpr double smallestChange = 1e-9;  // of a strength, in a sweep
+constexpr double tolerance = 1e-10;  // of a slope
 
-/// Minimises x^T N x / 2 - b^T x for 0 <= x <= 1, coordinate after coordinate; N is positive definite, so this converges
-/// to the one minimum.
-Eigen::VectorXd minimise(const Eigen::MatrixXd& normal, const Eigen::VectorXd& right) {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(right.size());
-  Eigen::VectorXd slope = -right;
-  for (int sweep = 0; sweep < mostSweeps; ++sweep) {
-    double largest = 0.0;
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      const double moved = std::clamp(x(i) - slope(i) / normal(i, i), 0.0, 1.0);
-      const double change = moved - x(i);
-      if (change == 0.0) continue;
-      x(i) = moved;
-      slope += change * normal.col(i);
-      largest = std::max(largest, std::abs(change));
-    }
-    if (largest < smallestChange) break;
+/// Minimises x^T N x / 2 - b^T x for 0 <= x <= 1, N positive definite, by sets of strengths that are free of their bounds
+/// (C. Lawson, R. Hanson, Solving Least Squares Problems, 1974, chapter 23, with an upper bound too).
+class BoundedMinimum {
+ public:
+  BoundedMinimum(const Eigen::MatrixXd& normal, const Eigen::VectorXd& right)
+      : normal_(normal), right_(right), x_(Eigen::VectorXd::Zero(right.size())), isFree_(right.size(), false) {}
+
+  Eigen::VectorXd find() {
+    const Eigen::Index mostSteps = 10 * x_.size();
+    for (Eigen::Index step = 0; step < mostSteps && freeTheSteepest(); ++step)
+      while (!moveFree()) {
+      }
+    return x_;
   }
-  return x;
-}
+
+ private:
+  /// @return whether there was a strength at a bound that wants away from it
+  bool freeTheSteepest() {
+    const Eigen::VectorXd slope = normal_ * x_ - right_;
+    Eigen::Index steepest = -1;
+    double most = tolerance * (1.0 + right_.cwiseAbs().maxCoeff());
+    for (Eigen::Index j = 0; j < x_.size(); ++j) {
+      const double gain = isFree_[j] ? 0.0 : x_(j) > 0.0 ? slope(j) : -slope(j);
+      if (gain <= most) continue;
+      most = gain;
+      steepest = j;
+    }
+    if (steepest >= 0) isFree_[steepest] = true;
+    return steepest >= 0;
+  }
+
+  std::vector<Eigen::Index> freeOnes() const {
+    std::vector<Eigen::Index> free;
+    for (Eigen::Index j = 0; j < x_.size(); ++j)
+      if (isFree_[j]) free.push_back(j);
+    return free;
+  }
+
+  /// The minimum over the free strengths, without regard to their bounds.
+  Eigen::VectorXd minimumOf(const std::vector<Eigen::Index>& free) const {
+    Eigen::VectorXd fixed = x_;
+    for (const Eigen::Index j : free) fixed(j) = 0.0;
+    const Eigen::VectorXd rest = right_ - normal_ * fixed;
+    const auto count = static_cast<Eigen::Index>(free.size());
+    Eigen::MatrixXd block(count, count);
+    Eigen::VectorXd side(count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      side(j) = rest(free[j]);
+      for (Eigen::Index k = 0; k < count; ++k) block(j, k) = normal_(free[j], free[k]);
+    }
+    return block.llt().solve(side);
+  }
+
+  /// Moves the free strengths to their minimum, or as far as the first bound. @return whether they have reached it
+  bool moveFree() {
+    const std::vector<Eigen::Index> free = freeOnes();
+    const Eigen::VectorXd aim = minimumOf(free);
+    double share = 1.0;
+    Eigen::Index first = -1;
+    for (std::size_t j = 0; j < free.size(); ++j) {
+      const double from = x_(free[j]), to = aim(j);
+      if (to >= 0.0 && to <= 1.0) continue;
+      const double reach = ((to < 0.0 ? 0.0 : 1.0) - from) / (to - from);
+      if (reach >= share && first >= 0) continue;
+      share = reach;
+      first = static_cast<Eigen::Index>(j);
+    }
+    for (std::size_t j = 0; j < free.size(); ++j) x_(free[j]) += share * (aim(j) - x_(free[j]));
+    if (first < 0) return true;
+    x_(free[first]) = aim(first) < 0.0 ? 0.0 : 1.0;
+    isFree_[free[first]] = false;
+    return false;
+  }
+
+  const Eigen::MatrixXd& normal_;
+  const Eigen::VectorXd& right_;
+  Eigen::VectorXd x_;
+  std::vector<bool> isFree_;
+};
 
 }  // namespace
 
@@ -53,7 +113,8 @@ Eigen::VectorXd ActionFit::scaled(const FAPFrame& frame) const {
 }
 
 Eigen::VectorXd ActionFit::solve(const FAPFrame& frame) const {
-  return minimise(normal_, matrix_.transpose() * scaled(frame));
+  const Eigen::VectorXd right = matrix_.transpose() * scaled(frame);
+  return BoundedMinimum(normal_, right).find();
 }
 
 FAPFrame ActionFit::framesOf(const Eigen::VectorXd& strengths) const {

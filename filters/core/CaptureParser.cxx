@@ -19,6 +19,7 @@ constexpr double secondsPerDay = 86400.0;
 constexpr double largestIntensity = 5.0, largestPercentage = 100.0;
 constexpr double surelyPercent = 2.0;           // blendshapes of 0 .. 1 exceed 1 by a little at times
 constexpr double tolerance = 1e-6;              // of full strength; more is limited with a warning
+constexpr double timeCodeError = 1e-4;          // s; codes count thousandths of a frame
 constexpr double usualTimeCodeRate = 60.0;      // of face-capture apps, when a recording is too short to tell
 
 class Parser {
@@ -157,32 +158,43 @@ std::string Parser::readRow() {
   return fault;
 }
 
-/// The usual step of codes within a second, in frames; 1 when there is none.
+/// The usual step of codes within a second, in frames; 1 when there is none. A quarter of the steps may be shorter and
+/// most may be gaps.
 double stepOf(const std::vector<TimeCode>& codes) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < codes.size(); ++i)
     if (codes[i].seconds == codes[i - 1].seconds && codes[i].frames > codes[i - 1].frames)
       steps.push_back(codes[i].frames - codes[i - 1].frames);
   if (steps.empty()) return 1.0;
-  std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-  return steps[steps.size() / 2];
+  std::nth_element(steps.begin(), steps.begin() + steps.size() / 4, steps.end());
+  return steps[steps.size() / 4];
+}
+
+/// How many frames make a second, by the codes before and after its end; 0 when none follow each other there.
+double countOfSecond(const std::vector<TimeCode>& codes) {
+  const double step = stepOf(codes);
+  double count = 0.0;
+  for (std::size_t i = 1; i < codes.size(); ++i)
+    if (codes[i].seconds == codes[i - 1].seconds + 1.0 && codes[i].frames < step)
+      count = std::max(count, codes[i - 1].frames - codes[i].frames + step);
+  return count;
 }
 
 /// Gives the times of the codes; their frames per second follow from the largest frame, when a second is complete.
 void Parser::placeTimeCodes() {
   const bool hasFrames = std::any_of(codes_.begin(), codes_.end(), [](const TimeCode& code) { return code.hasFrames; });
   const bool complete = codes_.front().seconds != codes_.back().seconds;
-  double largest = 0.0;
+  double largest = countOfSecond(codes_) - 1.0;
   for (const TimeCode& code : codes_) largest = std::max(largest, code.frames);
-  if (complete) largest += std::max(stepOf(codes_) - 1.0, 0.0);
   if (hasFrames && !complete && codes_.size() > 1) {
     largest = std::max(largest, usualTimeCodeRate - 1.0);
     warn(times_.lines.front(), "the time codes do not pass a full second; they are taken as 60 frames per second");
   }
   const double rate = rateOfTimeCodes(largest, codes_.front().dropsNumbers);
+  if (hasFrames) times_.clockError = timeCodeError;
   double midnights = 0.0;
   for (const TimeCode& code : codes_) {
-    double time = code.seconds + code.frames / rate + midnights;
+    double time = secondsOf(code, rate) + midnights;
     if (!times_.seconds.empty() && times_.seconds.back() - time > secondsPerDay / 2.0) {
       midnights += secondsPerDay;
       time += secondsPerDay;

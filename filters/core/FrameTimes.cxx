@@ -11,7 +11,6 @@ namespace mien {
 
 namespace {
 
-constexpr double clockError = 1.1e-3;        // s; times are often rounded to milliseconds
 constexpr double largestShare = 0.1;         // of a step that a time may be off the even ones
 constexpr double largestGrowth = 100.0;      // gaps may make this many frames of one
 constexpr double mostFrames = 1e6;
@@ -44,7 +43,7 @@ double unevenness(const std::vector<double>& times, double rate) {
 }
 
 /// The usual step averaged over all of them, and a whole or broadcast rate where the times leave room for it.
-double rateOf(const std::vector<double>& times) {
+double rateOf(const std::vector<double>& times, double clockError) {
   const double step = usualStep(times);
   double count = 0.0;
   for (std::size_t i = 1; i < times.size(); ++i) count += std::max(1.0, std::round((times[i] - times[i - 1]) / step));
@@ -109,7 +108,7 @@ std::optional<FAPParseError> FrameTimes::place(FAPSequence& sequence) const {
   if (rows.size() < 2) return std::nullopt;
   std::vector<double> times;
   for (const std::size_t row : rows) times.push_back(seconds[row]);
-  const double rate = rateOf(times);
+  const double rate = rateOf(times, clockError);
   if (!(rate >= slowestFAPRate && rate <= fastestFAPRate))
     return FAPParseError{lines[rows[1]], "the times ask for " + std::to_string(rate) + " frames per second; give times in s"};
   const double count = std::round(stepsFrom(times.front(), times.back(), rate)) + 1.0;

@@ -12,6 +12,7 @@ namespace mien {
 struct FrameTimes {
   std::vector<double> seconds;  ///< one per frame, any start
   std::vector<int> lines;       ///< where they stand in the file
+  double clockError = 1.1e-3;   ///< s that a time may be off; many are rounded to milliseconds
 
   /// Gives a sequence of as many frames its rate, and even steps: the rate is that of the usual step (whole where the times
   /// allow it); rows that repeat a time are left out, and gaps are filled with mixtures of the frames around them. Both

@@ -48,8 +48,15 @@ std::optional<TimeCode> parseTimeCode(std::string_view text) {
 double rateOfTimeCodes(double largestFrame, bool dropsNumbers) {
   double rate = std::floor(largestFrame) + 1.0;
   for (const double usual : {240.0, 120.0, 100.0, 60.0, 50.0, 48.0, 30.0, 25.0, 24.0})
-    if (usual > largestFrame + 0.5) rate = usual;
+    if (usual > std::floor(largestFrame) + 0.5) rate = usual;
   return dropsNumbers ? rate * 1000.0 / 1001.0 : rate;
+}
+
+double secondsOf(const TimeCode& code, double rate) {
+  if (!code.dropsNumbers) return code.seconds + code.frames / rate;
+  const double nominal = std::round(rate), minutes = std::floor(code.seconds / 60.0);
+  const double dropped = 2.0 * nominal / 30.0 * (minutes - std::floor(minutes / 10.0));
+  return (code.seconds * nominal + code.frames - dropped) / rate;
 }
 
 }  // namespace mien

@@ -18,4 +18,7 @@ std::optional<TimeCode> parseTimeCode(std::string_view text);
 /// The usual rate that counts frames up to this one: 24, 25, 30, 48, 50, 60, 100, 120 or 240 per second.
 double rateOfTimeCodes(double largestFrame, bool dropsNumbers);
 
+/// The time in s since midnight. Where numbers are dropped, that is two per minute but every tenth at 30 per second.
+double secondsOf(const TimeCode& code, double rate);
+
 }  // namespace mien
