@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 class vtkStructuredGrid;
@@ -32,7 +33,10 @@ std::unique_ptr<FrameSink> makePictureFolderSink(const std::string& folder);
 /// A ParaView time series: NAME.pvd and a folder NAME of polygon files.
 std::unique_ptr<FrameSink> makeSurfaceSeriesSink(const std::string& name);
 
-/// A film: .ogv by VTK; .mp4 by ffmpeg, when that is installed. Throws a FileFailure when it is not.
+/// A film: .ogv by VTK, all others by ffmpeg, when that is installed. Throws a FileFailure when it is not.
 std::unique_ptr<FrameSink> makeMovieSink(const std::string& name, double framesPerSecond);
+
+/// Endings of a file that an animation can be written to.
+std::vector<std::string> animationEndings();
 
 }  // namespace mien

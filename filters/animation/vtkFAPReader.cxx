@@ -22,13 +22,14 @@ namespace {
 std::string readSequence(const std::string& name, mien::FAPSequence& sequence, std::string& format) {
   if (name.empty()) return "there is no file name; set one with SetFileName";
   std::string text;
+  const std::string shown = name == "-" ? "standard input" : name;
   const std::string fault = mien::readAnimationText(name, text);
-  if (!fault.empty()) return name + ": " + fault;
+  if (!fault.empty()) return shown + ": " + fault;
   const mien::FacialActionMap& map = mien::defaultFacialActions();
   const auto recognised = mien::recogniseAnimation(text, map);
   const auto error = mien::parseAnimation(text, recognised, map, sequence);
   if (!error) format = mien::nameOf(*recognised);
-  return error ? name + ":" + std::to_string(error->line) + ": " + error->message : "";
+  return error ? shown + ":" + std::to_string(error->line) + ": " + error->message : "";
 }
 
 }  // namespace
@@ -50,13 +51,31 @@ int vtkFAPReader::CanReadFile(const char* fileName) {
 std::string vtkFAPReader::Load() {
   FileState state;
   state.Name = this->FileName ? this->FileName : "";
+  if (state.Name == "-" && this->Streams)
+    return this->Sequence->frames.empty() ? "standard input: no frame has come yet; wait for the first" : "";
   std::error_code ignored;
-  state.Modified = std::filesystem::last_write_time(state.Name, ignored).time_since_epoch().count();
-  state.Size = std::filesystem::file_size(state.Name, ignored);
+  if (state.Name != "-") state.Modified = std::filesystem::last_write_time(state.Name, ignored).time_since_epoch().count();
+  if (state.Name != "-") state.Size = std::filesystem::file_size(state.Name, ignored);
   if (!this->Sequence->frames.empty() && state == this->Loaded) return {};
   const std::string fault = readSequence(state.Name, *this->Sequence, this->Format);
   if (fault.empty()) this->Loaded = state;
   return fault;
+}
+
+void vtkFAPReader::StartStream(double framesPerSecond, const std::string& name) {
+  *this->Sequence = mien::FAPSequence();
+  this->Sequence->framesPerSecond = framesPerSecond;
+  this->Sequence->name = name;
+  this->Format = mien::nameOf(mien::AnimationFormat::FAP);
+  this->Loaded = FileState();
+  this->Loaded.Name = "-";
+  this->Streams = true;
+  this->Modified();
+}
+
+void vtkFAPReader::AppendFrame(const mien::FAPFrame& frame) {
+  this->Sequence->frames.push_back(frame);
+  this->Modified();
 }
 
 int vtkFAPReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {

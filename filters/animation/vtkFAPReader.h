@@ -22,6 +22,7 @@
 #include "vtkTableAlgorithm.h"
 
 namespace mien {
+class FAPFrame;
 struct FAPSequence;
 }
 
@@ -33,7 +34,7 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
 
   ///@{
   /**
-   * The .fap or .csv file. It is read again when it has changed on disk and the reader is updated after Modified().
+   * The .fap or .csv file, or "-" for standard input. It is read again when it has changed on disk and the reader is updated after Modified().
    * Default: none.
    */
   vtkSetFilePathMacro(FileName);
@@ -51,6 +52,15 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
   vtkSetMacro(Interpolate, bool);
   vtkGetMacro(Interpolate, bool);
   vtkBooleanMacro(Interpolate, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Frames that come from elsewhere, for a stream that is still being written. StartStream() takes the place of the file:
+   * FileName "-" then stands for the frames appended since. Without it "-" is standard input, read to its end.
+   */
+  void StartStream(double framesPerSecond, const std::string& name);
+  void AppendFrame(const mien::FAPFrame& frame);
   ///@}
 
   /** Whether a file is one of these without a fault: 1 or 0, in silence. */
@@ -85,6 +95,7 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
 
   char* FileName = nullptr;
   std::string Format;
+  bool Streams = false;
   int FrameIndex = -1;
   bool Interpolate = false;
 

@@ -26,8 +26,9 @@ std::vector<std::size_t> rowsThatAdvance(const std::vector<double>& seconds) {
 double usualStep(const std::vector<double>& times) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
-  std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
-  return steps[steps.size() / 2];
+  const std::size_t middle = (steps.size() - 1) / 2;  // of two the shorter: the other is a gap
+  std::nth_element(steps.begin(), steps.begin() + middle, steps.end());
+  return steps[middle];
 }
 
 double stepsFrom(double begin, double time, double rate) { return (time - begin) * rate; }
