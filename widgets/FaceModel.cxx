@@ -76,7 +76,7 @@ void FaceModel::reportAnimation() {
   if (!missing.empty())
     remarks << tr("The face has no surface for FAP %1 (eyeballs, tongue or ears); they are left out.").arg(numbers(missing));
   if (remarks.isEmpty()) return;
-  const QString name = QFileInfo(QString::fromStdString(state_.fapFile)).fileName();
+  const QString name = isLive() ? tr("The stream") : QFileInfo(QString::fromStdString(state_.fapFile)).fileName();
   const QString sentence = remarks.size() == 1 ? tr("%1 was opened, with one remark.") : tr("%1 was opened, with %2 remarks.");
   emit remarked(remarks.size() == 1 ? sentence.arg(name) : sentence.arg(name).arg(remarks.size()), remarks.join('\n'));
 }
@@ -89,6 +89,14 @@ bool FaceModel::openAnimation(const QString& fileName) {
     state.frame = 0.0;
   });
   return update();
+}
+
+void FaceModel::appendLive(double framesPerSecond, const QString& name, const std::vector<FAPFrame>& frames) {
+  const bool isFirst = !isLive();
+  if (isFirst) pipeline_.frames()->StartStream(framesPerSecond, name.toStdString());
+  for (const FAPFrame& frame : frames) pipeline_.frames()->AppendFrame(frame);
+  if (isFirst) openAnimation("-");
+  emit animationGrew();
 }
 
 void FaceModel::closeAnimation() { openAnimation(QString()); }

@@ -43,7 +43,7 @@ constexpr int samplesOfFrames = 2;  // along each side of a pixel; a film has ma
 struct Options {
   FaceOptions face;
   RenderOptions picture{"640x800"};
-  std::string file, output, sheet;
+  std::string file, output, sheet, series = "vts";
   FrameOptions frames;
 
   bool isLive() const { return file == "-"; }
@@ -57,6 +57,8 @@ void checkOutputs(const Options& options) {
     throw ValueFailure("there is nothing to write; give -o, --contact-sheet or both");
   if (!options.output.empty() && !isFolder(options.output)) requireEnding(options.output, animationEndings());
   if (!options.sheet.empty()) requireEnding(options.sheet, {"png"});
+  if (options.series != "vts" && options.series != "vtp")
+    throw ValueFailure("--series '" + options.series + "' is no kind of surface; there are vts and vtp");
   if (options.isLive() && (options.frames.areChosen() || !options.sheet.empty()))
     throw ValueFailure("standard input is played as it comes; --range, --start, --end, --loop, --fps and --contact-sheet need a file");
 }
@@ -67,10 +69,11 @@ std::string animationFile(const Options& options) {
   return file;
 }
 
-std::unique_ptr<FrameSink> makeSink(const std::string& output, double framesPerSecond) {
+std::unique_ptr<FrameSink> makeSink(const Options& options, double framesPerSecond) {
+  const std::string& output = options.output;
   if (output.empty()) return nullptr;
   if (isFolder(output)) return makePictureFolderSink(output);
-  return fileEnding(output) == "pvd" ? makeSurfaceSeriesSink(output) : makeMovieSink(output, framesPerSecond);
+  return fileEnding(output) == "pvd" ? makeSurfaceSeriesSink(output, options.series) : makeMovieSink(output, framesPerSecond);
 }
 
 /// One animation on its way to its sink and its contact sheet.
@@ -92,7 +95,7 @@ class Animation {
   void prepareFile() {
     const FAPSequence& sequence = pipeline_.frames()->GetSequence();
     frames_ = chooseFrames(sequence, options_.frames);
-    sink_ = makeSink(options_.output, rateOf(sequence, options_.frames));
+    sink_ = makeSink(options_, rateOf(sequence, options_.frames));
     if (!options_.sheet.empty()) prepareSheet();
     if (sheet_ || (sink_ && sink_->needsPictures())) prepareScene();
   }
@@ -116,7 +119,7 @@ class Animation {
     while (arrived_.empty() && input_.wait(pollInterval, arrived_) == FAPLiveInput::State::Open)
       if (wasInterrupted()) throw Stopped("stopped before the first frame");
     if (arrived_.empty()) throw FileFailure(input_.fault());
-    sink_ = makeSink(options_.output, input_.sequence().framesPerSecond);
+    sink_ = makeSink(options_, input_.sequence().framesPerSecond);
     if (sink_->needsPictures()) showCurves(animatedPoints(pipeline_));
   }
 
@@ -241,6 +244,7 @@ void addAnimateCommand(CLI::App& program) {
   command->add_option("file", options->file, "FILE.fap or .csv; - is a .fap stream on standard input [the bundled animation]");
   command->add_option("-o,--output", options->output, "Folder of .png frames, or a file: .pvd .ogv, with ffmpeg .mp4 .webm .gif ..");
   command->add_option("--contact-sheet", options->sheet, "Evenly chosen frames side by side, FILE.png");
+  command->add_option("--series", options->series, "Surfaces of a .pvd: vts, grids, or vtp, polygons without the slit of the mouth [vts]");
   options->frames.addTo(*command);
   options->picture.addTo(*command);
   options->face.addSurfaceOptions(*command);

@@ -112,7 +112,7 @@ json aboutFace(const Options& options) {
 
 void run(const Options& options) {
   const std::string ending = fileEnding(options.file);
-  const bool isAnimation = ending == "fap" || ending == "csv";
+  const bool isAnimation = ending == "fap" || ending == "csv" || options.file == "-";
   const json about = isAnimation ? describeAnimation(options.file) : aboutFace(options);
   if (options.json)
     std::cout << json{{isAnimation ? "fap" : "face", about}}.dump(2, ' ', false, json::error_handler_t::replace) << "\n";

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
 
   QCommandLineParser arguments;
   arguments.setApplicationDescription("Shows and animates a PDE face.");
-  arguments.addPositionalArgument("FILE.fap", "An MPEG-4 facial animation to open.", "[FILE.fap]");
+  arguments.addPositionalArgument("FILE.fap", "A facial animation to open, .fap or .csv; - plays a .fap stream from standard input.", "[FILE.fap]");
   const QCommandLineOption play("play", "Play the file at once; without a file, the demonstration.");
   arguments.addOption(play);
   arguments.addHelpOption();
@@ -34,7 +34,9 @@ int main(int argc, char** argv) {
   mien::StudioWindow window;
   window.show();
   const QStringList files = arguments.positionalArguments();
-  if (!files.isEmpty()) {
+  if (!files.isEmpty() && files.first() == "-") {
+    window.playStream(0);
+  } else if (!files.isEmpty()) {
     if (window.openAnimation(files.first()) && arguments.isSet(play)) window.player().play();
   } else if (arguments.isSet(play)) {
     window.playDemonstration();
