@@ -191,9 +191,7 @@ void within(const std::string& place, Step&& step) {
 void parseFaps(const Json& json, std::vector<AnimationEntry>& entries) {
   for (size_t i = 0; i < json.size(); ++i) {
     AnimationEntry entry;
-    within("entry " + std::to_string(i + 1), [&] {
-      entry.fap = parseFap(json[i].at("fap"));
-    });
+    within("entry " + std::to_string(i + 1), [&] { entry.fap = parseFap(json[i].at("fap")); });
     const std::string name = "FAP " + std::to_string(entry.fap);
     const bool twice = std::any_of(entries.begin(), entries.end(), [&](const auto& e) { return e.fap == entry.fap; });
     if (twice) refuse(name + ": there are two entries");

@@ -28,8 +28,8 @@ struct FAPLoan {
 /// What one FAP does. Unit, direction and feature point are those of the standard (FAPTable.h).
 struct AnimationEntry {
   int fap = 0;
-  std::string group;  ///< FAPs of one group share its points: their weights sum to at most 1
-  bool optional = false;  ///< left out on a face without its feature point, where other entries are refused
+  std::string group;          ///< FAPs of one group share its points: their weights sum to at most 1
+  bool optional = false;      ///< left out on a face without its feature point, where other entries are refused
   std::vector<int> replaces;  ///< FAPs whose motion at its feature point gives way to its own (EffectiveValues)
   std::vector<int> beyond;    ///< FAPs that move the same place: it adds what it asks for beyond them
   std::vector<FAPLoan> lends;
@@ -52,8 +52,8 @@ struct CurveBand {
 /// The face animation table (FAT) [S 5]: which points of the boundary curves each FAP moves, and how far.
 ///
 /// Read from JSON: {"format": "mien animation table", "version": 2, "contacts": [...], "faps": [...]}, see
-/// doc/animation_table.md; tables of version 1, which had no relations between FAPs, are read too. Points are addressed by curve and by feature points along v, never by sample, so
-/// one table serves every face and every K >= 32.
+/// doc/animation_table.md; tables of version 1, which had no relations between FAPs, are read too. Points are addressed
+/// by curve and by feature points along v, never by sample, so one table serves every face and every K >= 32.
 class AnimationTable {
  public:
   static constexpr int version = 2;

@@ -12,12 +12,15 @@ namespace mien {
 
 /// The values with which the motions of a frame add up, where several FAPs move one feature point.
 ///
-/// A file may set the inner lip, the outer lip or both; the middle of a lip, its quarters or both. Each FAP moves its neighbourhood
-/// along, so that one alone gives a smooth mouth; set together they must not move a place twice. Two relations of the table see to that:
+/// A file may set the inner lip, the outer lip or both; the middle of a lip, its quarters or both. Each FAP moves its
+/// neighbourhood along, so that one alone gives a smooth mouth; set together they must not move a place twice. Two
+/// relations of the table see to that:
 /// - lends: the taker's value v becomes v + soft(share x lender, 2 |v|), soft(c, t) = sign(c) max(0, |c| - t);
-/// - replaces: with c what the FAPs named do at the feature point, in units of this one, it acts with e = v - clamp(c, +-2 |v|). The point
-///   then moves by e + c = v + soft(c, 2 |v|): by its own value once that is half of c, by c where it is silent, and never by more than
-///   the larger of both. `beyond` is the same with |v| in place of 2 |v|, for FAPs that move one place: it moves by the larger of both.
+/// - replaces: with c what the FAPs named do at the feature point, in units of this one, it acts with e = v - clamp(c,
+/// +-2 |v|). The point
+///   then moves by e + c = v + soft(c, 2 |v|): by its own value once that is half of c, by c where it is silent, and
+///   never by more than the larger of both. `beyond` is the same with |v| in place of 2 |v|, for FAPs that move one
+///   place: it moves by the larger of both.
 /// All are continuous and homogeneous in the values. FAPs without relations act with the values they have.
 class EffectiveValues {
  public:

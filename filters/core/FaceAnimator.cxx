@@ -17,8 +17,7 @@ std::string FaceAnimator::bind(const FaceCurves& neutral, const AnimationTable& 
     binding->contacts.emplace_back(binding->neutral.curves, pair, binding->basis);
   binding->order = std::make_unique<CurveOrder>(binding->neutral.curves, table.contacts());
   binding->sides = std::make_unique<SideOrder>(binding->neutral.curves, table.sideways());
-  binding->values =
-      std::make_unique<EffectiveValues>(binding->neutral, binding->table, binding->basis, binding->units);
+  binding->values = std::make_unique<EffectiveValues>(binding->neutral, binding->table, binding->basis, binding->units);
   binding->slack.resize(binding->neutral.curves.points.rows());
   binding->groups.assign(binding->slack.size(), -1);
   for (int group = 0; group < static_cast<int>(binding->basis.groups().size()); ++group)
@@ -43,7 +42,8 @@ bool FaceAnimator::displace(const FAPFrame& frame) {
       for (size_t r = 0; r < motion.rows.size(); ++r) {
         const int row = motion.rows[r];
         points.row(row) += length * motion.perValue[i].row(r);
-        if (bound_->groups[row] != motion.group) bound_->slack[row] += std::abs(length) * motion.perValue[i].row(r).norm();
+        if (bound_->groups[row] != motion.group)
+          bound_->slack[row] += std::abs(length) * motion.perValue[i].row(r).norm();
       }
     }
   }

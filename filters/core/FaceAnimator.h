@@ -20,7 +20,8 @@ namespace mien {
 ///
 /// A zero frame gives the neutral curves bit for bit. Weights of FAPs that share points sum to at most
 /// 1, and where their directions differ the shift along x and z gives way, so that no such point moves further than
-/// the largest single displacement. FAPs that move the same place (inner and outer lip) do not move it twice (EffectiveValues). Lips and lids touch but do not cross; no curve crosses its neighbour at a sample.
+/// the largest single displacement. FAPs that move the same place (inner and outer lip) do not move it twice
+/// (EffectiveValues). Lips and lids touch but do not cross; no curve crosses its neighbour at a sample.
 class FaceAnimator {
  public:
   static constexpr int minimumPointsPerCurve = 32;
@@ -56,8 +57,8 @@ class FaceAnimator {
     std::unique_ptr<EffectiveValues> values;
     std::unique_ptr<CurveOrder> order;
     std::unique_ptr<SideOrder> sides;
-    std::vector<int> groups;   ///< per sample: the group that moves it, or -1
-    std::vector<double> slack; ///< per sample: how far FAPs outside that group move it in this frame, mm
+    std::vector<int> groups;    ///< per sample: the group that moves it, or -1
+    std::vector<double> slack;  ///< per sample: how far FAPs outside that group move it in this frame, mm
   };
 
   bool displace(const FAPFrame& frame);

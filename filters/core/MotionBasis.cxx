@@ -16,8 +16,8 @@ struct MotionBasis::BoundPart {
   const AnimationPart* part;
   Eigen::VectorXd weights;
   Eigen::MatrixXd conditions;  ///< cardinal weights where it is to have weight 1 exactly
-  bool parts;                 ///< moves one side of a contact only
-  int axis;                   ///< 0, 1 or 2: the direction in which it moves most
+  bool parts;                  ///< moves one side of a contact only
+  int axis;                    ///< 0, 1 or 2: the direction in which it moves most
 
   bool isRelated() const { return !entry->replaces.empty() || !entry->beyond.empty(); }
   bool settlesAlone() const { return isRelated() || part->profile.followsGap(); }
@@ -112,8 +112,9 @@ std::string MotionBasis::collectParts(const FaceCurves& face, const AnimationTab
   return {};
 }
 
-/// A part that shares its points with no other. A bump of a few samples dips beside itself whatever its shape: it gets the least
-/// undershoot that lets it meet its feature point, and a sample beside the feature point may move a little further than it.
+/// A part that shares its points with no other. A bump of a few samples dips beside itself whatever its shape: it gets
+/// the least undershoot that lets it meet its feature point, and a sample beside the feature point may move a little
+/// further than it.
 bool MotionBasis::settleAlone(BoundPart& part) {
   constexpr double worstUndershoot = 0.04;
   constexpr double mostWeight = 1.02;
@@ -152,9 +153,11 @@ int MotionBasis::settleTogether(BoundParts& parts) {
 std::string MotionBasis::staggerParts(BoundParts& parts) {
   int fault = settleTogether(parts);
   for (BoundPart& part : parts)
-    if (fault == 0 && part.isRelated() && !part.part->profile.followsGap() && !settleAlone(part)) fault = part.entry->fap;
+    if (fault == 0 && part.isRelated() && !part.part->profile.followsGap() && !settleAlone(part))
+      fault = part.entry->fap;
   if (fault == 0) return {};
-  return named(fault, "its profile is too narrow for this face to move the feature point exactly; use more points per curve");
+  return named(fault,
+               "its profile is too narrow for this face to move the feature point exactly; use more points per curve");
 }
 
 int MotionBasis::groupNumber(const std::string& name) {

@@ -7,14 +7,15 @@
 
 namespace mien {
 
-/// Keeps the samples of some curves in order from the middle of the face outwards, so that skin that is squeezed sideways
-/// (the brows, FAP 37 and 38) is pressed together and does not fold over.
+/// Keeps the samples of some curves in order from the middle of the face outwards, so that skin that is squeezed
+/// sideways (the brows, FAP 37 and 38) is pressed together and does not fold over.
 ///
-/// From the middle outwards a sample that comes nearer in x to its neighbour than a tenth of their neutral distance is pushed on
-/// (softDistance); a sweep back from the widest sample, which stays, takes what is short of room. Samples in order stay bit for bit.
+/// From the middle outwards a sample that comes nearer in x to its neighbour than a quarter of their neutral distance is
+/// pushed on (softDistance); a sweep back from the widest sample, which stays, takes what is short of room. Samples in
+/// order stay bit for bit.
 class SideOrder {
  public:
-  static constexpr double softShare = 0.1;
+  static constexpr double softShare = 0.25;
 
   SideOrder(const ClosedCurves& neutral, const std::vector<CurveBand>& bands);
 

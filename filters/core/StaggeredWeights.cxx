@@ -12,8 +12,8 @@ namespace {
 
 constexpr double precision = 1e-13;  ///< on weights: far below the 1e-9 mm asked of feature points
 constexpr double acceptable = 1e-11;
-/// A profile that ends at a sample is 0 there up to rounding. Taken for a weight, that sample would join the change on one side
-/// of the face and not on the other.
+/// A profile that ends at a sample is 0 there up to rounding. Taken for a weight, that sample would join the change on
+/// one side of the face and not on the other.
 constexpr double negligible = 1e-9;
 
 /// The inverse of D^T D on the samples where the profile is not 0, with D the second differences of a change
@@ -125,7 +125,8 @@ int StaggeredWeights::solve(int maximumSweeps) {
   for (int i = 0; i < maximumSweeps && sweep() > precision; ++i) continue;
   for (size_t p = 0; p < profiles_.size(); ++p) {
     const Profile& profile = profiles_[p];
-    const Eigen::VectorXd errors = profile.conditions * profile.weights - Eigen::VectorXd::Ones(profile.conditions.rows());
+    const Eigen::VectorXd errors =
+        profile.conditions * profile.weights - Eigen::VectorXd::Ones(profile.conditions.rows());
     if (errors.size() > 0 && !(errors.cwiseAbs().maxCoeff() < acceptable)) return static_cast<int>(p);
   }
   return -1;

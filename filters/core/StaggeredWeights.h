@@ -22,7 +22,8 @@ class StaggeredWeights {
   explicit StaggeredWeights(double undershoot = leastUndershoot, double most = 1.0)
       : undershoot_(undershoot), most_(most) {}
 
-  /// @param conditions cardinal weights at the points where the profile is to interpolate to 1, a row each; may be empty
+  /// @param conditions cardinal weights at the points where the profile is to interpolate to 1, a row each; may be
+  /// empty
   /// @return the number of the profile
   int add(const Eigen::VectorXd& weights, const Eigen::MatrixXd& conditions, bool parts);
   void share(const std::vector<int>& profiles);  ///< their sum is bounded
