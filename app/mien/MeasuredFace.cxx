@@ -101,8 +101,7 @@ std::string MeasuredFace::note(bool withSmoothing) const {
   }
   text += "; N = " + std::to_string(surface.modes) + (surface.remainder ? " with remainder" : " without remainder");
   if (!state().fapFile.empty()) text += "; " + state().fapFile;
-  if (!state().expression.empty())
-    text += "; " + state().expression + " at " + shortestText(state().expressionIntensity);
+  for (const auto& [name, intensity] : state().expressions) text += "; " + name + " at " + shortestText(intensity);
   return text + "; Mien " MIEN_VERSION;
 }
 
