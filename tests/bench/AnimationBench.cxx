@@ -78,7 +78,7 @@ void frameToSurface(benchmark::State& state, const std::string& scheme) {
 }
 
 /// A file of 1,000 frames to curves and to a surface of 56 x 40 with normals: under 0.25 s in one thread is asked for.
-void thousandFrames(benchmark::State& state) {
+void thousandFrames(benchmark::State& state, const std::string& scheme) {
   FAPSequence sequence;
   for (int index = 0; index < 1000; ++index) {
     FAPFrame frame = movingFrame(index);
@@ -91,7 +91,9 @@ void thousandFrames(benchmark::State& state) {
   if (!writeFAP(sequence, text).empty()) return state.SkipWithError("the file cannot be written");
   FaceAnimator animator = genericAnimator();
   const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(columns + 1, 0.0, 2.0 * M_PI);
-  PDESurface<float> surface(facePieces(FaceSurfaceOptions(), RowLayout(rows, false)), HarmonicSplit(40, 5, true), FaceLayout::curveCount, v);
+  FaceSurfaceOptions options;
+  options.scheme = scheme;
+  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true), FaceLayout::curveCount, v);
   RowMajor<float> points(rows, v.size() * 3), normals = points, su = points, sv = points;
   const auto grid = [](RowMajor<float>& m) { return PDESurface<float>::Grid(m.data(), m.rows(), m.cols()); };
   for (auto _ : state) {
@@ -138,7 +140,8 @@ void memcpyOfOutput(benchmark::State& state) {
 BENCHMARK(frameToCurves);
 BENCHMARK_CAPTURE(frameToSurface, fourCurve, std::string("four-curve"));
 BENCHMARK_CAPTURE(frameToSurface, spline, std::string("spline"));
-BENCHMARK(thousandFrames)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(thousandFrames, fourCurve, std::string("four-curve"))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(thousandFrames, spline, std::string("spline"))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(frameThroughPipeline, fourCurve, std::string("four-curve"));
 BENCHMARK_CAPTURE(frameThroughPipeline, spline, std::string("spline"));
 BENCHMARK(memcpyOfOutput);
