@@ -93,7 +93,7 @@ class BoundedMinimum {
 
 }  // namespace
 
-ActionFit::ActionFit(const std::vector<FacialAction>& actions, const FAPMask& used)
+ActionFit::ActionFit(const std::vector<CaptureAction>& actions, const FAPMask& used)
     : matrix_(Eigen::MatrixXd::Zero(FAPFrame::count, static_cast<Eigen::Index>(actions.size()))) {
   for (std::size_t i = 0; i < actions.size(); ++i)
     for (const auto& [fap, value] : actions[i].faps)

@@ -14,7 +14,7 @@ namespace mien {
 /// all units count alike), lambda = 1e-4 (the smallest of equally good answers; see doc/decisions.md). Low-level FAPs only.
 class ActionFit {
  public:
-  ActionFit(const std::vector<FacialAction>& actions, const FAPMask& used);
+  ActionFit(const std::vector<CaptureAction>& actions, const FAPMask& used);
 
   /// Strengths of the actions, in their order.
   Eigen::VectorXd solve(const FAPFrame& frame) const;

@@ -36,7 +36,7 @@ bool bindFrame(std::string_view name, std::size_t column, CaptureColumns& column
 }
 
 bool bindRotation(std::string_view name, std::size_t column, const FacialActionMap& map, CaptureColumns& columns) {
-  const FacialAction* rotation = findAction(map.rotations, name);
+  const CaptureAction* rotation = findAction(map.rotations, name);
   if (!rotation) return false;
   if (!rotation->writtenOnly) columns.effects.push_back({column, rotation->faps, 1.0, true});
   return true;
@@ -44,7 +44,7 @@ bool bindRotation(std::string_view name, std::size_t column, const FacialActionM
 
 bool bindBlendshape(std::string_view name, std::size_t column, const FacialActionMap& map, CaptureColumns& columns) {
   const std::size_t dot = name.rfind('.');
-  const FacialAction* shape = findAction(map.blendshapes, dot == name.npos ? name : name.substr(dot + 1));
+  const CaptureAction* shape = findAction(map.blendshapes, dot == name.npos ? name : name.substr(dot + 1));
   if (!shape) return false;
   columns.effects.push_back({column, shape->faps, 0.0, false});
   return true;
@@ -65,7 +65,7 @@ class ActionUnitBinder {
     const auto name = parseActionUnitName(header_[column], sidesAreSmall_);
     if (!name) return false;
     if (name->kind == ActionUnitName::Kind::Presence && hasIntensity(name->unit)) return true;
-    const FacialAction* action = findAction(map_.actionUnits, "AU" + std::to_string(name->unit));
+    const CaptureAction* action = findAction(map_.actionUnits, "AU" + std::to_string(name->unit));
     if (!action) return false;
     using Side = ActionUnitName::Side;
     const auto faps = name->side == Side::Both ? action->faps : sideOf(*action, name->side == Side::Left).faps;

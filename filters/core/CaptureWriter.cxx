@@ -22,26 +22,26 @@ std::string numbered(int unit) { return (unit < 10 ? "AU0" : "AU") + std::to_str
 
 /// Actions that are columns: their names in the file and a factor on their strengths.
 struct Columns {
-  std::vector<FacialAction> actions;
+  std::vector<CaptureAction> actions;
   std::vector<std::string> names;
-  std::vector<FacialAction> angles;  ///< of one FAP each, or none; written as they are
+  std::vector<CaptureAction> angles;  ///< of one FAP each, or none; written as they are
   double factor = 1.0;
 
-  void add(const FacialAction& action, const std::string& name) {
+  void add(const CaptureAction& action, const std::string& name) {
     actions.push_back(action);
     names.push_back(name);
   }
 };
 
 /// Two names for one movement would share its strength.
-bool isRepeated(const FacialAction& action, const std::vector<FacialAction>& actions) {
-  return std::any_of(actions.begin(), actions.end(), [&](const FacialAction& other) { return other.faps == action.faps; });
+bool isRepeated(const CaptureAction& action, const std::vector<CaptureAction>& actions) {
+  return std::any_of(actions.begin(), actions.end(), [&](const CaptureAction& other) { return other.faps == action.faps; });
 }
 
 Columns columnsOfFACS(const FacialActionMap& map) {
   Columns columns;
-  std::vector<FacialAction> written;
-  for (const FacialAction& action : map.actionUnits) {
+  std::vector<CaptureAction> written;
+  for (const CaptureAction& action : map.actionUnits) {
     if (isRepeated(action, written)) continue;
     written.push_back(action);
     if (!action.sided) columns.add(action, action.name);
@@ -54,9 +54,9 @@ Columns columnsOfFACS(const FacialActionMap& map) {
 Columns columnsOfOpenFace(const FacialActionMap& map) {
   Columns columns;
   for (const int unit : openFaceUnits)
-    if (const FacialAction* action = findAction(map.actionUnits, "AU" + std::to_string(unit)))
+    if (const CaptureAction* action = findAction(map.actionUnits, "AU" + std::to_string(unit)))
       columns.add(*action, numbered(unit) + (unit == 28 ? "_c" : "_r"));
-  for (const FacialAction& rotation : map.rotations)
+  for (const CaptureAction& rotation : map.rotations)
     if (rotation.name.compare(0, 5, "pose_") == 0) columns.angles.push_back(rotation);
   columns.factor = intensityOfOpenFace;
   return columns;
@@ -64,12 +64,12 @@ Columns columnsOfOpenFace(const FacialActionMap& map) {
 
 Columns columnsOfLiveLink(const FacialActionMap& map) {
   Columns columns;
-  for (const FacialAction& shape : map.blendshapes) {
+  for (const CaptureAction& shape : map.blendshapes) {
     std::string name = shape.name;
     if (name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
     columns.add(shape, name);
   }
-  for (const FacialAction& rotation : map.rotations)
+  for (const CaptureAction& rotation : map.rotations)
     if (rotation.name.compare(0, 5, "pose_") != 0) columns.angles.push_back(rotation);
   return columns;
 }
@@ -82,7 +82,7 @@ Columns columnsOf(CaptureStyle style, const FacialActionMap& map) {
 std::string headerOf(CaptureStyle style, const Columns& columns) {
   std::string names, angles;
   for (const std::string& name : columns.names) names += "," + name;
-  for (const FacialAction& angle : columns.angles) angles += "," + angle.name;
+  for (const CaptureAction& angle : columns.angles) angles += "," + angle.name;
   if (style == CaptureStyle::FACS) return "frame,time" + names + "\n";
   if (style == CaptureStyle::OpenFace) return "frame,timestamp,confidence,success" + angles + names + "\n";
   return "Timecode,BlendshapeCount" + names + angles + "\n";
@@ -101,7 +101,7 @@ std::string timeCodeOf(double time) {
 void appendStrength(double value, std::string& text) { appendNumber(text += ",", std::round(value * 1e4) / 1e4); }
 
 void appendAngles(const FAPFrame& frame, const Columns& columns, std::string& text) {
-  for (const FacialAction& angle : columns.angles) {
+  for (const CaptureAction& angle : columns.angles) {
     double radians = 0.0;
     for (const auto& [fap, value] : angle.faps) radians = frame.value(fap) / value;
     appendNumber(text += ",", std::round(radians * 1e6) / 1e6 + 0.0);
@@ -135,7 +135,7 @@ std::string rowOf(CaptureStyle style, const FAPSequence& sequence, std::size_t i
 }
 
 bool isAngle(int fap, const Columns& columns) {
-  return std::any_of(columns.angles.begin(), columns.angles.end(), [fap](const FacialAction& angle) {
+  return std::any_of(columns.angles.begin(), columns.angles.end(), [fap](const CaptureAction& angle) {
     return !angle.faps.empty() && angle.faps.front().first == fap;
   });
 }

@@ -24,8 +24,8 @@ int parseFAP(const std::string& key) {
   return fap;
 }
 
-FacialAction parseAction(const Json& json) {
-  FacialAction action;
+CaptureAction parseAction(const Json& json) {
+  CaptureAction action;
   action.name = json.at("name").get<std::string>();
   try {
     action.description = json.value("description", std::string());
@@ -44,11 +44,11 @@ FacialAction parseAction(const Json& json) {
   return action;
 }
 
-std::vector<FacialAction> parseActions(const Json& root, const char* group) {
-  std::vector<FacialAction> actions;
+std::vector<CaptureAction> parseActions(const Json& root, const char* group) {
+  std::vector<CaptureAction> actions;
   for (const Json& json : root.at(group)) {
     actions.push_back(parseAction(json));
-    const auto isSame = [&](const FacialAction& other) { return other.name == actions.back().name; };
+    const auto isSame = [&](const CaptureAction& other) { return other.name == actions.back().name; };
     if (std::find_if(actions.begin(), actions.end() - 1, isSame) != actions.end() - 1)
       throw std::invalid_argument(actions.back().name + " is given twice");
   }
@@ -69,8 +69,8 @@ std::string plain(std::string_view name) {
 
 }  // namespace
 
-FacialAction sideOf(const FacialAction& action, bool left) {
-  FacialAction side = action;
+CaptureAction sideOf(const CaptureAction& action, bool left) {
+  CaptureAction side = action;
   side.name += left ? "L" : "R";
   side.faps.clear();
   for (const auto& [fap, value] : action.faps) {
@@ -100,10 +100,10 @@ std::string FacialActionMap::parse(const std::string& json) {
   return {};
 }
 
-const FacialAction* findAction(const std::vector<FacialAction>& actions, std::string_view name) {
+const CaptureAction* findAction(const std::vector<CaptureAction>& actions, std::string_view name) {
   const std::string wanted = plain(name);
   const auto found = std::find_if(actions.begin(), actions.end(),
-                                  [&](const FacialAction& action) { return plain(action.name) == wanted; });
+                                  [&](const CaptureAction& action) { return plain(action.name) == wanted; });
   return found == actions.end() ? nullptr : &*found;
 }
 

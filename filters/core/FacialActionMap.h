@@ -8,7 +8,7 @@
 namespace mien {
 
 /// An action unit, a blendshape or a rotation of the head, as FAP values at full strength (at 1 rad for rotations).
-struct FacialAction {
+struct CaptureAction {
   std::string name;         ///< "AU12", "mouthSmileLeft", "HeadYaw"
   std::string description;  ///< for people
   std::vector<std::pair<int, double>> faps;  ///< FAP number and value, ascending
@@ -18,16 +18,16 @@ struct FacialAction {
 };
 
 /// One side of an action unit: the FAPs of that side, and half of those on the midline, so that both sides are the whole.
-FacialAction sideOf(const FacialAction& action, bool left);
+CaptureAction sideOf(const CaptureAction& action, bool left);
 
 /// What facial capture moves, read from JSON: {"format": "mien facial action map", "version": 1, "action_units": [...],
 /// "blendshapes": [...], "rotations": [...]}, each entry {"name", "faps": {"FAP": value}, ...}; see data/README.md.
 struct FacialActionMap {
   static constexpr int version = 1;
 
-  std::vector<FacialAction> actionUnits;  ///< of FACS, by ascending number
-  std::vector<FacialAction> blendshapes;  ///< of ARKit, in the order of Live Link Face
-  std::vector<FacialAction> rotations;    ///< "HeadYaw" .., "pose_Rx" ..
+  std::vector<CaptureAction> actionUnits;  ///< of FACS, by ascending number
+  std::vector<CaptureAction> blendshapes;  ///< of ARKit, in the order of Live Link Face
+  std::vector<CaptureAction> rotations;    ///< "HeadYaw" .., "pose_Rx" ..
 
   /// Replaces the map; on a fault it stays as it was.
   /// @return nothing, or one sentence that names the entry and what is wrong with it
@@ -36,6 +36,6 @@ struct FacialActionMap {
 
 /// The action of that name in any case, without regard to "_", "-" and blanks, "L" and "R" after a "_" standing for Left and
 /// Right; or nullptr.
-const FacialAction* findAction(const std::vector<FacialAction>& actions, std::string_view name);
+const CaptureAction* findAction(const std::vector<CaptureAction>& actions, std::string_view name);
 
 }  // namespace mien

@@ -75,7 +75,7 @@ TEST(FacialActionMap, HoldsWhatARKitAndOpenFaceHave) {
 
 TEST(FacialActionMap, NamesMayBeSpelledInManyWays) {
   const FacialActionMap map = bundledFacialActions();
-  const FacialAction* blink = findAction(map.blendshapes, "eyeBlinkLeft");
+  const CaptureAction* blink = findAction(map.blendshapes, "eyeBlinkLeft");
   ASSERT_NE(blink, nullptr);
   for (const char* name : {"EyeBlinkLeft", "eyeBlink_L", "eye_blink_left", "EYEBLINKLEFT", "eyeBlink-l"})
     EXPECT_EQ(findAction(map.blendshapes, name), blink) << name;
@@ -84,16 +84,16 @@ TEST(FacialActionMap, NamesMayBeSpelledInManyWays) {
 
 TEST(FacialActionMap, TheSidesMirrorEachOtherAndTogetherAreTheWhole) {
   const FacialActionMap map = bundledFacialActions();
-  for (const FacialAction& action : map.actionUnits) {
+  for (const CaptureAction& action : map.actionUnits) {
     std::map<int, double> sum;
     for (const bool left : {true, false})
       for (const auto& [fap, value] : sideOf(action, left).faps) sum[fap] += value;
     EXPECT_EQ(sum, (std::map<int, double>(action.faps.begin(), action.faps.end()))) << action.name;
   }
-  for (const FacialAction& shape : map.blendshapes) {
+  for (const CaptureAction& shape : map.blendshapes) {
     const std::size_t left = shape.name.rfind("Left");
     if (left == std::string::npos) continue;
-    const FacialAction* right = findAction(map.blendshapes, shape.name.substr(0, left) + "Right");
+    const CaptureAction* right = findAction(map.blendshapes, shape.name.substr(0, left) + "Right");
     ASSERT_NE(right, nullptr) << shape.name;
     std::map<int, double> mirror;
     for (const auto& [fap, value] : shape.faps) mirror[fapDefinition(fap).mirrorPartner] = fapDefinition(fap).mirrorSign * value;
