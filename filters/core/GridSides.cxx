@@ -34,8 +34,9 @@ std::vector<FaceSide> gridSides(const GridSlits& slits, const std::function<Eige
     const double profile = fade(std::abs(std::abs(pupils.apply(eye).x()) - 1.0) / eyeHalfWidth);
     for (int row = 0; profile > 0.0 && pupils.apply(eye).z() > -1.2 && row < slits.rows; ++row) {
       const double distance = (point(row, column) - eye).norm() / pupils.unit();
-      sides[row * slits.columns + column].lids =
-          profile * std::clamp((lidRow - row) / std::max(lidHalf, 0.5), -1.0, 1.0) * fade(distance / regions.lidReach());
+      sides[row * slits.columns + column].lids = profile *
+                                                 std::clamp((lidRow - row) / std::max(lidHalf, 0.5), -1.0, 1.0) *
+                                                 fade(distance / regions.lidReach());
     }
   };
   for (int column = 0; column < slits.columns; ++column) {

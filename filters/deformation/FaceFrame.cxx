@@ -1,5 +1,7 @@
 #include "FaceFrame.h"
 
+#include <cmath>
+
 #include "BoundaryCurveData.h"
 #include "DefaultRegions.h"
 #include "GridFaceSides.h"
@@ -13,8 +15,6 @@
 #include "vtkPointSet.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
-
-#include <cmath>
 
 namespace mien {
 
@@ -40,7 +40,8 @@ std::string placeLandmarks(const std::string& file, const MeshVertices& vertices
   if (!fault.empty()) return file + ":" + fault;
   for (int i = 0; i < FaceLandmarks::count; ++i) {
     Eigen::Index vertex = table.hasVertices ? table.vertices[i] : 0;
-    if (!table.hasVertices) (vertices.rowwise() - table.positions.points.row(i)).rowwise().squaredNorm().minCoeff(&vertex);
+    if (!table.hasVertices)
+      (vertices.rowwise() - table.positions.points.row(i)).rowwise().squaredNorm().minCoeff(&vertex);
     if (vertex < 0 || vertex >= vertices.rows())
       return file + ": landmark " + std::to_string(i) + " is vertex " + std::to_string(vertex) + ", but the mesh has " +
              std::to_string(vertices.rows()) + "; give the landmarks of this mesh";
@@ -85,7 +86,8 @@ std::string findByLandmarks(vtkPointSet* data, const std::string& file, EyePupil
 
 std::string findPupils(vtkPointSet* data, const FaceFrameOptions& options, EyePupils& pupils) {
   pupils = {options.leftPupil, options.rightPupil};
-  if (options.leftPupil != options.rightPupil || findByName(data, options, pupils) || findInField(data, pupils)) return {};
+  if (options.leftPupil != options.rightPupil || findByName(data, options, pupils) || findInField(data, pupils))
+    return {};
   if (!options.landmarkFile.empty()) return findByLandmarks(data, options.landmarkFile, pupils);
   return "there are no pupils; set both, name two points " + options.leftPupilName + " and " + options.rightPupilName +
          " in the point array marker, add the field array Pupils (2 x 3), or give the 68 landmarks";
@@ -105,8 +107,10 @@ std::string readPoints(vtkPointSet* data, FaceFrame& frame) {
     DeformationPoint& point = frame.points[i];
     Eigen::Vector3d place, normal = Eigen::Vector3d::UnitZ();
     data->GetPoint(i, place.data());
-    if (normals) normals->GetTuple(i, normal.data());
-    else if (!computed.empty()) normal = computed[i];
+    if (normals)
+      normals->GetTuple(i, normal.data());
+    else if (!computed.empty())
+      normal = computed[i];
     if (!place.allFinite() || !normal.allFinite())
       return "point " + std::to_string(i) + " has a position or normal that is not finite; repair the mesh";
     point.position = unturned(frame.turned, place);
@@ -122,7 +126,8 @@ bool readSideArrays(vtkPointSet* data, FaceFrame& frame, std::string& fault) {
     if (lips) frame.points[i].side.lips = lips->GetComponent(i, 0);
     if (lids) frame.points[i].side.lids = lids->GetComponent(i, 0);
     if (!(std::abs(frame.points[i].side.lips) <= 1.0) || !(std::abs(frame.points[i].side.lids) <= 1.0))
-      fault = "point " + std::to_string(i) + " has a LipSide or LidSide that is no number from -1 to 1; repair the array";
+      fault =
+          "point " + std::to_string(i) + " has a LipSide or LidSide that is no number from -1 to 1; repair the array";
   }
   return lips || lids;
 }
@@ -132,13 +137,15 @@ bool readMarkerSides(vtkPointSet* data, FaceFrame& frame) {
   vtkStringArray* names = markerNames(data);
   for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i) {
     const std::string& name = names->GetValue(i);
-    const auto number = name.rfind("landmark", 0) == 0 ? parseWholeNumber(std::string_view(name).substr(8)) : std::nullopt;
+    const auto number =
+        name.rfind("landmark", 0) == 0 ? parseWholeNumber(std::string_view(name).substr(8)) : std::nullopt;
     if (number && *number >= 0 && *number < 68) frame.points[i].side = landmarkSide(static_cast<int>(*number));
   }
   return names;
 }
 
-std::string readSides(vtkPointSet* data, const FaceFrameOptions& options, const FacialRegions& regions, FaceFrame& frame) {
+std::string readSides(vtkPointSet* data, const FaceFrameOptions& options, const FacialRegions& regions,
+                      FaceFrame& frame) {
   std::string fault;
   if (readSideArrays(data, frame, fault) || readMarkerSides(data, frame)) return fault;
   std::vector<FaceSide> sides;
@@ -171,12 +178,13 @@ std::string readGivenRegions(vtkPointSet* data, FaceFrame& frame) {
 std::string readPupils(vtkPointSet* data, const FaceFrameOptions& options, FaceFrame& frame) {
   std::string fault = readHeadRotation(data->GetFieldData(), frame.turned);
   if (fault.empty()) fault = findPupils(data, options, frame.places);
-  return fault.empty() ? frame.pupils.set(unturned(frame.turned, frame.places.left), unturned(frame.turned, frame.places.right))
-                       : fault;
+  return fault.empty()
+             ? frame.pupils.set(unturned(frame.turned, frame.places.left), unturned(frame.turned, frame.places.right))
+             : fault;
 }
 
-std::string readFaceFrame(
-    vtkPointSet* data, const FaceFrameOptions& options, const FacialRegions& regions, FaceFrame& frame) {
+std::string readFaceFrame(vtkPointSet* data, const FaceFrameOptions& options, const FacialRegions& regions,
+                          FaceFrame& frame) {
   std::string fault = readPupils(data, options, frame);
   if (fault.empty()) fault = readPoints(data, frame);
   if (fault.empty()) fault = readSides(data, options, regions, frame);

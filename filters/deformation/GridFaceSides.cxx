@@ -11,7 +11,8 @@ namespace mien {
 
 namespace {
 
-constexpr int lidPatch = 2, lowerLipPatch = 7;  // P2 ends with C9, the upper lid, and C10, the lower; P7 begins below the lips
+constexpr int lidPatch = 2,
+              lowerLipPatch = 7;  // P2 ends with C9, the upper lid, and C10, the lower; P7 begins below the lips
 
 /// First row of cells of a patch or later ones; the number of rows when there is none.
 int firstRow(vtkDataArray* patches, int rows, int columns, int patch) {
@@ -39,7 +40,8 @@ std::vector<FaceSide> gridFaceSides(vtkStructuredGrid* grid, const FacialRegions
   int size[3];
   grid->GetDimensions(size);
   const int rows = size[1] - 1, columns = size[0] - 1;
-  if (!patches || size[2] != 1 || rows < 1 || columns < 1 || patches->GetNumberOfTuples() != vtkIdType(rows) * columns) return {};
+  if (!patches || size[2] != 1 || rows < 1 || columns < 1 || patches->GetNumberOfTuples() != vtkIdType(rows) * columns)
+    return {};
   GridSlits slits;
   slits.rows = size[1];
   slits.columns = size[0];

@@ -1,13 +1,13 @@
 #include "MeshEdgeData.h"
 
+#include <Eigen/Geometry>
+
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
-
-#include <Eigen/Geometry>
 
 namespace mien {
 

@@ -1,5 +1,8 @@
 #include "vtkFDTDeformationFilter.h"
 
+#include <cmath>
+#include <optional>
+
 #include "FDTData.h"
 #include "FaceFrame.h"
 #include "MeshEdgeData.h"
@@ -14,9 +17,6 @@
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
-
-#include <cmath>
-#include <optional>
 
 vtkStandardNewMacro(vtkFDTDeformationFilter);
 
@@ -62,7 +62,8 @@ struct vtkFDTDeformationFilter::Internals {
   bool smooth = false;
 
   bool holdsFor(vtkPointSet* data, const mien::FaceFrameOptions& now, const std::string& file, bool blend) const {
-    return weights && data == input && data->GetMTime() == inputTime && sameFrame(now, options) && file == regionFile && blend == smooth;
+    return weights && data == input && data->GetMTime() == inputTime && sameFrame(now, options) && file == regionFile &&
+           blend == smooth;
   }
 
   /// Computes the weights unless those of before still hold. @return nothing, or what is wrong
@@ -84,8 +85,8 @@ struct vtkFDTDeformationFilter::Internals {
   }
 
   /// False when aborted.
-  bool move(vtkPointSet* from, const mien::DeformationTable& table, double strength, vtkAlgorithm* self, vtkPoints* points,
-            vtkDoubleArray* displacement) const {
+  bool move(vtkPointSet* from, const mien::DeformationTable& table, double strength, vtkAlgorithm* self,
+            vtkPoints* points, vtkDoubleArray* displacement) const {
     const double limit = mien::fittedDisplacement(table, regions);
     const vtkIdType count = from->GetNumberOfPoints();
     for (vtkIdType slab = 0; slab < count; slab += pointsPerSlab) {
@@ -120,7 +121,8 @@ int vtkFDTDeformationFilter::FillInputPortInformation(int port, vtkInformation* 
   return 1;
 }
 
-int vtkFDTDeformationFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkFDTDeformationFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                         vtkInformationVector* outputs) {
   vtkPointSet *input = vtkPointSet::GetData(inputs[0]), *output = vtkPointSet::GetData(outputs);
   mien::DeformationTable table, other;
   vtkTable* second = vtkTable::GetData(inputs[2]);
@@ -141,7 +143,7 @@ int vtkFDTDeformationFilter::RequestData(vtkInformation*, vtkInformationVector**
   displacement->SetNumberOfComponents(3);
   displacement->SetNumberOfTuples(input->GetNumberOfPoints());
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
+  points->SetDataType(input->GetPoints()->GetDataType());
   points->SetNumberOfPoints(input->GetNumberOfPoints());
   if (!this->Impl->move(input, table, this->Strength, this, points, displacement)) return 1;
   output->ShallowCopy(input);

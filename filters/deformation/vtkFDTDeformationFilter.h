@@ -2,25 +2,25 @@
  * @class vtkFDTDeformationFilter
  * @brief moves the points of a face by a facial deformation table
  *
- * Inputs: port 0 points or a mesh of any size with pupils (vtkPupilAlgorithm; mm, y up, z forward); regions, sides of lips and lids and
- * coverage are those of vtkFacialRegionFilter. Port 1 the table, 16 rows, columns `region`, `a1` .. `b6` (FDTData.h); port 2, optional, a
- * second table to interpolate to.
- * Output: a copy of the input with moved points (double) and the point array `Displacement` (3 components, the input's unit). `Normals` of
- * the input turn as the polygons around each point do.
+ * Inputs: port 0 points or a mesh of any size with pupils (vtkPupilAlgorithm; mm, y up, z forward); regions, sides of
+ * lips and lids and coverage are those of vtkFacialRegionFilter. Port 1 the table, 16 rows, columns `region`, `a1` ..
+ * `b6` (FDTData.h); port 2, optional, a second table to interpolate to. Output: a copy of the input with moved points
+ * (of the input's precision) and the point array `Displacement` (3 components, the input's unit). `Normals` of the
+ * input turn as the polygons around each point do.
  *
- * Equation: x' = a1 x^2 + a2 xy + a3 y^2 + a4 x + a5 y + a6 and y' alike per region, in pupil units [Obaid et al. 2009, eq. 1];
- * blending and limits are described in TableDeformation.h. z is carried along unchanged in the head's frame. The weights are kept while the
- * input and the settings that decide them stay: tables, strength and interpolation may change at no cost.
- * Errors: those of vtkPupilAlgorithm, a table that is none, points or arrays that are not finite.
+ * Equation: x' = a1 x^2 + a2 xy + a3 y^2 + a4 x + a5 y + a6 and y' alike per region, in pupil units [Obaid et al. 2009,
+ * eq. 1]; blending and limits are described in TableDeformation.h. z is carried along unchanged in the head's frame.
+ * The weights are kept while the input and the settings that decide them stay: tables, strength and interpolation may
+ * change at no cost. Errors: those of vtkPupilAlgorithm, a table that is none, points or arrays that are not finite.
  * @sa vtkFDTReader vtkFDTFitFilter vtkFacialRegionFilter
  */
 #ifndef vtkFDTDeformationFilter_h
 #define vtkFDTDeformationFilter_h
 
+#include <memory>
+
 #include "MienDeformationModule.h"
 #include "vtkPupilAlgorithm.h"
-
-#include <memory>
 
 class MIENDEFORMATION_EXPORT vtkFDTDeformationFilter : public vtkPupilAlgorithm {
  public:
@@ -49,7 +49,8 @@ class MIENDEFORMATION_EXPORT vtkFDTDeformationFilter : public vtkPupilAlgorithm 
   ///@}
 
   ///@{
-  /** Whether neighbouring regions are blended (default), or every point follows the nearest centre alone, as in the paper. */
+  /** Whether neighbouring regions are blended (default), or every point follows the nearest centre alone, as in the
+   * paper. */
   vtkSetMacro(Smooth, bool);
   vtkGetMacro(Smooth, bool);
   vtkBooleanMacro(Smooth, bool);

@@ -18,22 +18,23 @@ vtkStandardNewMacro(vtkFDTFitFilter);
 namespace {
 
 /// Which points take part: neither the pupils nor, on a mesh, what is not wholly on the face.
-std::vector<vtkIdType> chosenPoints(
-    vtkPointSet* data, const mien::FaceFrame& frame, const mien::FaceFrameOptions& options, const mien::FacialRegions& regions) {
+std::vector<vtkIdType> chosenPoints(vtkPointSet* data, const mien::FaceFrame& frame,
+                                    const mien::FaceFrameOptions& options, const mien::FacialRegions& regions) {
   auto* names = vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray("marker"));
   std::vector<vtkIdType> chosen;
   for (std::size_t i = 0; i < frame.points.size(); ++i) {
     const Eigen::Vector3d place = frame.pupils.apply(frame.points[i].position);
     const bool face = !frame.isMesh || (regions.outlineWeight(place.head<2>()) == 1.0 &&
                                         regions.facingWeight(place.z(), frame.points[i].normalZ) == 1.0);
-    const bool pupil = names && (names->GetValue(i) == options.leftPupilName || names->GetValue(i) == options.rightPupilName);
+    const bool pupil =
+        names && (names->GetValue(i) == options.leftPupilName || names->GetValue(i) == options.rightPupilName);
     if (face && !pupil) chosen.push_back(static_cast<vtkIdType>(i));
   }
   return chosen;
 }
 
-mien::TableSamples samplesOf(const mien::FaceFrame& before, const mien::FaceFrame& after, const std::vector<vtkIdType>& chosen,
-                             const mien::FacialRegions& regions) {
+mien::TableSamples samplesOf(const mien::FaceFrame& before, const mien::FaceFrame& after,
+                             const std::vector<vtkIdType>& chosen, const mien::FacialRegions& regions) {
   mien::TableSamples samples;
   samples.before.resize(chosen.size(), 2);
   samples.after.resize(chosen.size(), 2);
@@ -46,7 +47,8 @@ mien::TableSamples samplesOf(const mien::FaceFrame& before, const mien::FaceFram
   return samples;
 }
 
-void addColumn(vtkTable* table, const char* name, const mien::TableFit& fit, double (*value)(const mien::QuadraticFit&)) {
+void addColumn(vtkTable* table, const char* name, const mien::TableFit& fit,
+               double (*value)(const mien::QuadraticFit&)) {
   vtkNew<vtkDoubleArray> column;
   column->SetName(name);
   for (const mien::QuadraticFit& region : fit.regions) column->InsertNextValue(value(region));
@@ -74,7 +76,8 @@ int vtkFDTFitFilter::FillOutputPortInformation(int, vtkInformation* info) {
 }
 
 int vtkFDTFitFilter::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
-  if (!vtkTable::GetData(outputs)) outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkTable>());
+  if (!vtkTable::GetData(outputs))
+    outputs->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkTable>());
   return 1;
 }
 
@@ -91,7 +94,9 @@ int vtkFDTFitFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     fault = "the neutral face has " + std::to_string(neutral->GetNumberOfPoints()) + " points and the expression " +
             std::to_string(expression->GetNumberOfPoints()) + "; give the same points before and after";
   if (fault.empty() && neutral->GetNumberOfPoints() == 0) fault = "there are no points; give a face before and after";
-  const auto named = [](const char* state, const std::string& text) { return text.empty() ? text : state + (": " + text); };
+  const auto named = [](const char* state, const std::string& text) {
+    return text.empty() ? text : state + (": " + text);
+  };
   if (fault.empty()) fault = named("neutral face", mien::readFaceFrame(neutral, options, regions, before));
   if (fault.empty()) fault = named("expression", mien::readFaceFrame(expression, others, regions, after));
   if (this->GetAbortExecute()) return 1;

@@ -2,14 +2,16 @@
  * @class vtkFDTFitFilter
  * @brief fits a facial deformation table to a face before and after
  *
- * Inputs: port 0 the neutral face, port 1 the expression: two point sets or meshes with as many points in the same order, each with its own
- * pupils (vtkPupilAlgorithm; pupils set by hand hold for port 0, OtherLeftPupil and OtherRightPupil for port 1). Regions and sides are those of
- * vtkFacialRegionFilter on port 0. Named pupils are left out; of meshes only points wholly on the face count (coverage 1).
- * Output: vtkTable of 16 rows as in FDTData.h (pupil units) with the further columns `points`, `rank` and `rms` (pupil units).
+ * Inputs: port 0 the neutral face, port 1 the expression: two point sets or meshes with as many points in the same
+ * order, each with its own pupils (vtkPupilAlgorithm; pupils set by hand hold for port 0, OtherLeftPupil and
+ * OtherRightPupil for port 1). Regions and sides are those of vtkFacialRegionFilter on port 0. Named pupils are left
+ * out; of meshes only points wholly on the face count (coverage 1). Output: vtkTable of 16 rows as in FDTData.h (pupil
+ * units) with the further columns `points`, `rank` and `rms` (pupil units).
  *
- * Equation: least squares of x' = a1 x^2 + a2 xy + a3 y^2 + a4 x + a5 y + a6, y' alike, per region [Obaid et al. 2009, eq. 1-4; QuadraticFit.h].
- * Errors: those of vtkPupilAlgorithm; different numbers of points, points that are not finite, regions without points; with Strict regions with
- * fewer than 6 independent points. Without Strict these are a warning that names them, GetWarning() too.
+ * Equation: least squares of x' = a1 x^2 + a2 xy + a3 y^2 + a4 x + a5 y + a6, y' alike, per region [Obaid et al. 2009,
+ * eq. 1-4; QuadraticFit.h]. Errors: those of vtkPupilAlgorithm; different numbers of points, points that are not
+ * finite, regions without points; with Strict regions with fewer than 6 independent points. Without Strict these are a
+ * warning that names them, GetWarning() too.
  * @sa vtkFDTWriter vtkFDTDeformationFilter
  */
 #ifndef vtkFDTFitFilter_h

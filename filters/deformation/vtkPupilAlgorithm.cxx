@@ -29,14 +29,17 @@ void vtkPupilAlgorithm::KeepWantedPart(vtkInformation* info) {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkPointSet* data = vtkPointSet::GetData(info);
   auto* grid = vtkStructuredGrid::SafeDownCast(data);
-  if (grid && info->Has(Pipeline::UPDATE_EXTENT())) grid->Crop(info->Get(Pipeline::UPDATE_EXTENT()));
-  else if (!grid && info->Has(Pipeline::UPDATE_PIECE_NUMBER()) && info->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0) data->Initialize();
+  if (grid && info->Has(Pipeline::UPDATE_EXTENT()))
+    grid->Crop(info->Get(Pipeline::UPDATE_EXTENT()));
+  else if (!grid && info->Has(Pipeline::UPDATE_PIECE_NUMBER()) && info->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0)
+    data->Initialize();
 }
 
 void vtkPupilAlgorithm::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LeftPupil: " << this->LeftPupil[0] << " " << this->LeftPupil[1] << " " << this->LeftPupil[2] << "\n";
-  os << indent << "RightPupil: " << this->RightPupil[0] << " " << this->RightPupil[1] << " " << this->RightPupil[2] << "\n";
+  os << indent << "RightPupil: " << this->RightPupil[0] << " " << this->RightPupil[1] << " " << this->RightPupil[2]
+     << "\n";
   os << indent << "LeftPupilName: " << this->LeftPupilName << "\n";
   os << indent << "RightPupilName: " << this->RightPupilName << "\n";
   os << indent << "LandmarkFileName: " << (this->LandmarkFileName.empty() ? "(none)" : this->LandmarkFileName) << "\n";

@@ -1,5 +1,7 @@
 #include "vtkPupilNormalizeFilter.h"
 
+#include <atomic>
+
 #include "FaceFrame.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -11,8 +13,6 @@
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
-
-#include <atomic>
 
 vtkStandardNewMacro(vtkPupilNormalizeFilter);
 
@@ -35,7 +35,8 @@ std::string readOriginalPupils(vtkPointSet* data, const mien::FaceFrameOptions& 
   if (options.leftPupil == options.rightPupil) {
     vtkDataArray* array = data->GetFieldData()->GetArray("OriginalPupils");
     if (!array || array->GetNumberOfTuples() != 2 || array->GetNumberOfComponents() != 3)
-      return "there are no pupils to go back to; set both, or give data of this filter with the field array OriginalPupils (2 x 3)";
+      return "there are no pupils to go back to; set both, or give data of this filter with the field array "
+             "OriginalPupils (2 x 3)";
     array->GetTuple(0, frame.places.left.data());
     array->GetTuple(1, frame.places.right.data());
   }
@@ -45,7 +46,8 @@ std::string readOriginalPupils(vtkPointSet* data, const mien::FaceFrameOptions& 
 using Change = Eigen::Vector3d (mien::PupilNormalisation::*)(const Eigen::Vector3d&) const;
 
 /// @return a point that is not finite, -1 for none
-vtkIdType changePoints(vtkPointSet* from, const mien::PupilNormalisation& pupils, Change change, vtkAlgorithm* self, vtkPoints* to) {
+vtkIdType changePoints(vtkPointSet* from, const mien::PupilNormalisation& pupils, Change change, vtkAlgorithm* self,
+                       vtkPoints* to) {
   std::atomic<vtkIdType> fault{-1};
   const vtkIdType count = from->GetNumberOfPoints();
   to->SetDataTypeToDouble();
@@ -75,19 +77,21 @@ void turnNormals(vtkPointSet* data, const mien::PupilNormalisation& pupils, Chan
   for (vtkIdType i = 0; i < turned->GetNumberOfTuples(); ++i) {
     Eigen::Vector3d normal;
     turned->GetTuple(i, normal.data());
-    turned->SetTuple(i, ((pupils.*change)(normal) - origin).normalized().eval().data());
+    turned->SetTuple(i, ((pupils.*change)(normal)-origin).normalized().eval().data());
   }
   data->GetPointData()->SetNormals(turned);
 }
 
 }  // namespace
 
-int vtkPupilNormalizeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkPupilNormalizeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                         vtkInformationVector* outputs) {
   vtkPointSet *input = vtkPointSet::GetData(inputs[0]), *output = vtkPointSet::GetData(outputs);
   if (input->GetNumberOfPoints() == 0) return 1;
   mien::FaceFrame frame;
   const mien::FaceFrameOptions options = this->GetFrameOptions();
-  std::string fault = this->Inverse ? readOriginalPupils(input, options, frame) : mien::readPupils(input, options, frame);
+  std::string fault =
+      this->Inverse ? readOriginalPupils(input, options, frame) : mien::readPupils(input, options, frame);
   // In space, not in the frame of a turned head: what is normalised is where the pupils are seen.
   if (fault.empty()) fault = frame.pupils.set(frame.places.left, frame.places.right);
   vtkNew<vtkPoints> points;
