@@ -61,10 +61,13 @@ QWidget* ExpressionPanel::intensityRow() {
   slider_->setAccessibleName(tr("Intensity of the expression"));
   percent_->setObjectName("expressionPercent");
   percent_->setRange(0, 100);
+  percent_->setValue(100);
   percent_->setSuffix(" %");
   percent_->setAccessibleName(slider_->accessibleName());
   const auto setIntensity = [this](int value) {
-    model_->change([value](FaceState& state) { state.expressionIntensity = value / 100.0; });
+    model_->change([value](FaceState& state) {
+      for (auto& expression : state.expressions) expression.second = value / 100.0;
+    });
   };
   connect(slider_, &QSlider::valueChanged, this, setIntensity);
   connect(percent_, QOverload<int>::of(&QSpinBox::valueChanged), this, setIntensity);
@@ -76,8 +79,9 @@ QWidget* ExpressionPanel::intensityRow() {
 
 void ExpressionPanel::choose(const QString& name) {
   model_->change([&](FaceState& state) {
-    const std::string chosen = name.toStdString();
-    state.expression = state.expression == chosen ? std::string() : chosen;
+    const bool wasChosen = state.expressions.count(name.toStdString()) > 0;
+    state.expressions.clear();
+    if (!wasChosen) state.expressions[name.toStdString()] = percent_->value() / 100.0;
   });
   follow();
 }
@@ -86,13 +90,14 @@ void ExpressionPanel::follow() {
   const FaceState& state = model_->state();
   const QSignalBlocker quietSlider(slider_), quietPercent(percent_);
   for (auto it = buttons_.cbegin(); it != buttons_.cend(); ++it)
-    it.value()->setChecked(it.key().toStdString() == state.expression);
-  const int percent = static_cast<int>(std::lround(100.0 * state.expressionIntensity));
+    it.value()->setChecked(state.expressions.count(it.key().toStdString()) > 0);
+  const double intensity = state.expressions.empty() ? percent_->value() / 100.0 : state.expressions.begin()->second;
+  const int percent = static_cast<int>(std::lround(100.0 * intensity));
   slider_->setValue(percent);
   slider_->setShownValue(percent);
   percent_->setValue(percent);
   for (QWidget* widget : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(percent_)})
-    widget->setEnabled(!state.expression.empty());
+    widget->setEnabled(!state.expressions.empty());
 }
 
 }  // namespace mien

@@ -117,8 +117,8 @@ double FaceModel::shownFAP(int fap) const {
   const auto own = state_.fapValues.find(fap);
   double value = own == state_.fapValues.end() ? 0.0 : own->second;
   if (frame()) value += frame()->value(fap);
-  if (!state_.expression.empty())
-    value += state_.expressionIntensity * vtkFAPAnimationFilter::GetExpressionFAP(state_.expression, fap);
+  for (const auto& [name, intensity] : state_.expressions)
+    value += intensity * vtkFAPAnimationFilter::GetExpressionFAP(name, fap);
   return value;
 }
 

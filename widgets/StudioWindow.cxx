@@ -236,7 +236,7 @@ void StudioWindow::resetAll() {
   player_->pause();
   model_->change([](FaceState& state) {
     state.fapValues.clear();
-    state.expression.clear();
+    state.expressions.clear();
     state.fapFile.clear();
     state.frame = 0.0;
   });

@@ -33,7 +33,7 @@ std::string faceNote(const FaceState& state, const std::vector<std::string>& sch
   }
   text += "; N = " + std::to_string(surface.modes) + (surface.remainder ? " with remainder" : " without remainder");
   if (!state.fapFile.empty()) text += "; " + fileName(state.fapFile);
-  if (!state.expression.empty()) text += "; " + state.expression + " at " + shortestText(state.expressionIntensity);
+  for (const auto& [name, intensity] : state.expressions) text += "; " + name + " at " + shortestText(intensity);
   return text + "; Mien " MIEN_VERSION;
 }
 

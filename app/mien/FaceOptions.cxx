@@ -42,8 +42,9 @@ void FaceOptions::addAnimationOptions(CLI::App& command) {
   CLI::Option* frame = add("--frame", frame_, "Frame number as written in the file")->needs(fap);
   CLI::Option* index = add("--index", index_, "Frame counted from 0")->needs(fap)->excludes(frame);
   add("--time", time_, "Time in seconds")->needs(fap)->excludes(frame)->excludes(index);
-  add("--expression", expression_, "Expression with intensity 0 .. 1, such as joy or joy:0.8");
+  add("--expression", expression_, "Expressions with intensities 0 .. 1, such as joy:0.8 or joy:0.6,surprise:0.4");
   add("--set", set_, "FAP values, such as 53=200,54=200; they add to those of the file");
+  add("--fat", animationTable_, "What each FAP moves, TABLE.json [the table compiled in]");
 }
 
 void FaceOptions::addAll(CLI::App& command) {
@@ -62,8 +63,9 @@ FaceState FaceOptions::state() const {
   fillSurface(state);
   fillGrid(state);
   fillFrame(state);
-  fillExpression(state);
+  fillExpressions(state);
   fillFAPValues(state);
+  state.animationTable = animationTable_;
   return state;
 }
 
@@ -105,11 +107,14 @@ void FaceOptions::fillFrame(FaceState& state) const {
   }
 }
 
-void FaceOptions::fillExpression(FaceState& state) const {
+void FaceOptions::fillExpressions(FaceState& state) const {
   if (expression_.empty()) return;
-  const size_t colon = expression_.find(':');
-  state.expression = expression_.substr(0, colon);
-  if (colon != std::string::npos) state.expressionIntensity = parseNumber("--expression", expression_.substr(colon + 1));
+  for (const std::string& item : splitText(expression_, ',')) {
+    const size_t colon = item.find(':');
+    const double intensity = colon == std::string::npos ? 1.0 : parseNumber("--expression", item.substr(colon + 1));
+    if (!state.expressions.emplace(item.substr(0, colon), intensity).second)
+      throw ValueFailure("--expression gives " + item.substr(0, colon) + " twice");
+  }
 }
 
 void FaceOptions::fillFAPValues(FaceState& state) const {

@@ -42,12 +42,12 @@ class FaceOptions {
   void fillSurface(FaceState& state) const;
   void fillGrid(FaceState& state) const;
   void fillFrame(FaceState& state) const;
-  void fillExpression(FaceState& state) const;
+  void fillExpressions(FaceState& state) const;
   void fillFAPValues(FaceState& state) const;
 
   int defaultRows_ = FaceState().rows, defaultColumns_ = FaceState().columns;
   std::string defaultFace_, face_, scheme_, smoothing_, harmonics_, resolution_, derivativeStrength_, precision_;
-  std::string fap_, frame_, index_, time_, expression_, set_;
+  std::string fap_, frame_, index_, time_, expression_, set_, animationTable_;
   bool noRemainder_ = false, uniformRows_ = false;
 };
 

@@ -82,8 +82,8 @@ FaceState FaceMotion::neutralOf(const FaceState& state) {
   neutral.frame = none.frame;
   neutral.interpolateFrames = none.interpolateFrames;
   neutral.fapValues = none.fapValues;
-  neutral.expression = none.expression;
-  neutral.expressionIntensity = none.expressionIntensity;
+  neutral.expressions = none.expressions;
+  neutral.deformation = none.deformation;
   return neutral;
 }
 

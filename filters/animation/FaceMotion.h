@@ -31,7 +31,7 @@ class MIENANIMATION_EXPORT FaceMotion {
   /// Where the points are, and where they come from. They can be given to the pipelines before, to check them.
   void setStates(const FaceState& moved, const FaceState& origin);
 
-  /// A face without FAPs, expression or frame.
+  /// The face without FAPs, expressions, frame or deformation.
   static FaceState neutralOf(const FaceState& state);
 
   FacePipeline& moved();

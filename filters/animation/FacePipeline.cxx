@@ -27,7 +27,7 @@ constexpr int smallestAnimatedCurve = 32;  // points
 bool isAnimated(const FaceState& state)
 {
   const auto moves = [](const auto& fap) { return fap.second != 0.0; };
-  return !state.fapFile.empty() || !state.expression.empty() ||
+  return !state.fapFile.empty() || !state.expressions.empty() ||
     std::any_of(state.fapValues.begin(), state.fapValues.end(), moves);
 }
 
@@ -80,18 +80,23 @@ struct FacePipeline::Internals
       animation->SetFAP(fap, found == state.fapValues.end() ? 0.0 : found->second);
     }
     for (const std::string& name : vtkFAPAnimationFilter::GetExpressionNames())
-      animation->SetExpression(name, name == state.expression ? state.expressionIntensity : 0.0);
+    {
+      const auto found = state.expressions.find(name);
+      animation->SetExpression(name, found == state.expressions.end() ? 0.0 : found->second);
+    }
+    animation->SetAnimationTableFileName(state.animationTable);
   }
 
   std::string describeExpressionFault() const
   {
     const std::vector<std::string> names = vtkFAPAnimationFilter::GetExpressionNames();
-    if (state.expression.empty() || std::find(names.begin(), names.end(), state.expression) != names.end())
-      return {};
     std::string all;
     for (const std::string& name : names)
       all += (all.empty() ? "" : ", ") + name;
-    return "there is no expression '" + state.expression + "'; there are " + all;
+    for (const auto& expression : state.expressions)
+      if (std::find(names.begin(), names.end(), expression.first) == names.end())
+        return "there is no expression '" + expression.first + "'; there are " + all;
+    return {};
   }
 
   /// Makes the reader give the frame that the state chooses. @return nothing, or why there is none

@@ -19,7 +19,7 @@ std::string number(double value) {
 
 auto members(const FaceState& s) {
   return std::tie(s.curvesFile, s.surface, s.rows, s.columns, s.uniformRows, s.doublePrecision, s.fapFile, s.frameChoice,
-                  s.frame, s.interpolateFrames, s.fapValues, s.expression, s.expressionIntensity);
+                  s.frame, s.interpolateFrames, s.animationTable, s.fapValues, s.expressions, s.deformation);
 }
 
 std::string describeFrameFault(const FaceState& state) {
@@ -40,18 +40,35 @@ std::string describeFAPFault(const FaceState& state) {
       return "FAP " + std::to_string(fap) + " = " + number(value) + " is outside -" + number(FaceState::largestFAPValue) +
              " .. " + number(FaceState::largestFAPValue);
   }
-  if (!(state.expressionIntensity >= 0.0 && state.expressionIntensity <= 1.0))
-    return "expression intensity " + number(state.expressionIntensity) + " is outside 0 .. 1";
   return {};
 }
 
+std::string describeExpressionFault(const FaceState& state) {
+  for (const auto& [name, intensity] : state.expressions)
+    if (!(intensity >= 0.0 && intensity <= 1.0))
+      return "expression intensity " + number(intensity) + " of " + name + " is outside 0 .. 1";
+  return {};
+}
+
+std::string describeDeformationFault(const FaceState& state) {
+  const double limit = FaceState::largestStrength;
+  if (std::abs(state.deformation.strength) <= limit) return {};
+  return "deformation strength " + number(state.deformation.strength) + " is outside -" + number(limit) + " .. " +
+         number(limit);
+}
+
 }  // namespace
+
+bool FaceDeformation::operator==(const FaceDeformation& other) const {
+  return std::tie(table, strength, smooth) == std::tie(other.table, other.strength, other.smooth);
+}
 
 bool FaceState::operator==(const FaceState& other) const { return members(*this) == members(other); }
 
 std::string describeFault(const FaceState& state, int pointsPerCurve) {
   for (const std::string& fault : {describeFault(state.surface, pointsPerCurve), describeResolutionFault(state.rows, state.columns, RowLayout::minimumRows),
-                                   describeFrameFault(state), describeFAPFault(state)})
+                                   describeFrameFault(state), describeFAPFault(state),
+                                   describeExpressionFault(state), describeDeformationFault(state)})
     if (!fault.empty()) return fault;
   return {};
 }

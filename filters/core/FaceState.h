@@ -8,6 +8,15 @@
 
 namespace mien {
 
+/// Which facial deformation table bends the surface, and how much [O].
+struct FaceDeformation {
+  std::string table;       ///< name of a table compiled in, or a .csv file; empty: none
+  double strength = 1.0;   ///< factor on its displacements, -2 .. 2
+  bool smooth = true;      ///< regions blend into each other; else every point belongs to one, as in the paper
+
+  bool operator==(const FaceDeformation& other) const;
+};
+
 /// The one serialisable description of a face: what is drawn follows from it alone.
 ///
 /// Command-line options, sessions of the application and the metadata of figures read and write it; FaceStateText
@@ -15,6 +24,7 @@ namespace mien {
 struct FaceState {
   static constexpr int smallestColumns = mien::smallestColumns;
   static constexpr double largestFAPValue = 1e6;     ///< in FAP units, either sign
+  static constexpr double largestStrength = 2.0;     ///< of a deformation, either sign
 
   /// Which frame of an animation file.
   enum class FrameChoice {
@@ -36,9 +46,11 @@ struct FaceState {
   double frame = 0.0;  ///< a frame number, an index or a time in s
   bool interpolateFrames = false;  ///< whether a time between two frames gives their linear mixture, not the one before
 
-  std::map<int, double> fapValues;  ///< FAP 1 .. 68 to FAP units; they add to those of the file
-  std::string expression;           ///< "joy" ..; empty: none
-  double expressionIntensity = 1.0;  ///< 0 .. 1
+  std::string animationTable;       ///< .json of what each FAP moves; empty: the table compiled in
+  std::map<int, double> fapValues;  ///< FAP 3 .. 68 to FAP units; they add to those of the file
+  std::map<std::string, double> expressions;  ///< "joy" .. to 0 .. 1; several mix
+
+  FaceDeformation deformation;
 
   bool operator==(const FaceState& other) const;
   bool operator!=(const FaceState& other) const { return !(*this == other); }

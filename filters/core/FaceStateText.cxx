@@ -113,10 +113,17 @@ void readAnimation(const json& object, FaceState& state, std::string& fault) {
   members.refuseOthers();
 }
 
-void readExpression(const json& object, FaceState& state, std::string& fault) {
-  Members members(object, "expression", fault);
-  members.read("name", state.expression);
-  members.read("intensity", state.expressionIntensity);
+void readExpressions(const json& object, FaceState& state, std::string& fault) {
+  Members members(object, "expressions", fault);
+  if (!object.is_object()) return;
+  for (const auto& item : object.items()) members.read(item.key().c_str(), state.expressions[item.key()]);
+}
+
+void readDeformation(const json& object, FaceState& state, std::string& fault) {
+  Members members(object, "deformation", fault);
+  members.read("table", state.deformation.table);
+  members.read("strength", state.deformation.strength);
+  members.read("smooth", state.deformation.smooth);
   members.refuseOthers();
 }
 
@@ -146,12 +153,14 @@ void readAll(const json& object, FaceState& state, std::string& fault) {
   readVersion(members);
   if (!fault.empty()) return;
   members.read("curves", state.curvesFile);
+  members.read("animation_table", state.animationTable);
   using Section = void (*)(const json&, FaceState&, std::string&);
   const std::pair<const char*, Section> sections[] = {{"surface", readSurface},
                                                       {"grid", readGrid},
                                                       {"animation", readAnimation},
-                                                      {"expression", readExpression},
-                                                      {"fap_values", readFAPValues}};
+                                                      {"expressions", readExpressions},
+                                                      {"fap_values", readFAPValues},
+                                                      {"deformation", readDeformation}};
   for (const auto& [key, read] : sections)
     if (const json* section = members.find(key)) read(*section, state, fault);
   members.refuseOthers();
@@ -188,8 +197,12 @@ std::string writeFaceState(const FaceState& state) {
     object["animation"] = {
         {"file", state.fapFile}, {keyOf(state.frameChoice), state.frame}, {"interpolate", state.interpolateFrames}};
   if (!state.fapValues.empty()) object["fap_values"] = fapValues(state);
-  if (!state.expression.empty())
-    object["expression"] = {{"name", state.expression}, {"intensity", state.expressionIntensity}};
+  if (!state.animationTable.empty()) object["animation_table"] = state.animationTable;
+  if (!state.expressions.empty()) object["expressions"] = state.expressions;
+  if (!(state.deformation == FaceDeformation()))
+    object["deformation"] = {{"table", state.deformation.table},
+                             {"strength", state.deformation.strength},
+                             {"smooth", state.deformation.smooth}};
   // Names of files may hold any bytes; what is no UTF-8 is replaced rather than thrown at.
   return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

@@ -7,15 +7,17 @@
 namespace mien {
 
 /// Text form of a FaceState: a JSON object with the members
-/// - `mien_face_state`: the version, 1;
+/// - `mien_face_state`: the version, 2;
 /// - `curves`: file name, left out for the generic face;
 /// - `surface`: `scheme`, `a` (nine numbers), `harmonics`, `remainder`, `derivative_strength`;
 /// - `grid`: `rows`, `columns`, `uniform_rows`, `precision` ("single" or "double");
 /// - `animation`: `file`, one of `frame`, `index`, `time` (s), and `interpolate`; left out without a file;
 /// - `fap_values`: FAP number to FAP units;
-/// - `expression`: `name` and `intensity` (0 .. 1); left out without one.
+/// - `animation_table`: file name, left out for the table compiled in;
+/// - `expressions`: name to intensity (0 .. 1); left out without one;
+/// - `deformation`: `table` (name or file), `strength`, `smooth`; left out without a table.
 /// Numbers are written so that they read back to the bit. A member left out has its default.
-constexpr int faceStateVersion = 1;
+constexpr int faceStateVersion = 2;
 
 std::string writeFaceState(const FaceState& state);
 

@@ -36,6 +36,7 @@ TEST(FaceOptions, WrongValuesEndWithTwoAndSayWhatIsAllowed) {
   expectRefused({"--derivative-strength", "inf"}, 2, "no number");
   expectRefused({"--expression", "smug"}, 2, "joy, sadness");
   expectRefused({"--expression", "joy:2"}, 2, "0 .. 1");
+  expectRefused({"--expression", "joy,joy:0.5"}, 2, "twice");
   expectRefused({"--set", "53"}, 2, "53=200");
   expectRefused({"--set", "99=1"}, 2, "3 .. 68");
   expectRefused({"--set", "53=1,53=2"}, 2, "twice");
@@ -52,6 +53,7 @@ TEST(FaceOptions, WrongFilesEndWithOneAndAreNamed) {
   expectRefused({"--face", file}, 1, "face.vtp: ");
   writeChangedFace([](auto& face) { face.curves.curve(7).col(1).array() += 30.0; }, file);
   expectRefused({"--face", file}, 1, "C8");
+  expectRefused({"--fat", folder.file("no.json"), "--set", "53=1"}, 1, "no.json");
 }
 
 TEST(FaceOptions, FramesThatAreNotThereAreRefused) {

@@ -30,8 +30,11 @@ const std::vector<Change> changes = {
     [](FaceState& s) { s.fapFile = "x.fap", s.frameChoice = FaceState::FrameChoice::Time, s.frame = 1.0 / 25.0; },
     [](FaceState& s) { s.fapFile = "x.fap", s.interpolateFrames = true; },
     [](FaceState& s) { s.fapValues = {{53, 200.5}, {54, -1e-300}}; },
-    [](FaceState& s) { s.expression = "joy"; },
-    [](FaceState& s) { s.expression = "joy", s.expressionIntensity = 0.8; },
+    [](FaceState& s) { s.animationTable = "my table.json"; },
+    [](FaceState& s) { s.expressions = {{"joy", 0.8}, {"surprise", 1.0 / 3.0}}; },
+    [](FaceState& s) { s.deformation.table = "joy"; },
+    [](FaceState& s) { s.deformation.strength = -0.1; },
+    [](FaceState& s) { s.deformation.smooth = false; },
 };
 
 std::string faultOf(const Change& change, int pointsPerCurve = 40) {
@@ -55,7 +58,7 @@ TEST(FaceState, DefaultsAreSound) { EXPECT_EQ(mien::describeFault(FaceState(), 4
 TEST(FaceState, MembersLeftOutHaveTheirDefaults) {
   FaceState state;
   state.rows = 100;
-  EXPECT_EQ(mien::readFaceState(R"({"mien_face_state": 1})", state), "");
+  EXPECT_EQ(mien::readFaceState(R"({"mien_face_state": 2})", state), "");
   EXPECT_EQ(state, FaceState());
 }
 
@@ -64,19 +67,21 @@ TEST(FaceState, BadTextIsRefusedAndLeavesTheStateAlone) {
       {"{", "no valid JSON"},
       {"[]", "no object"},
       {"{}", "mien_face_state"},
-      {R"({"mien_face_state": 2})", "version 1"},
-      {R"({"mien_face_state": 1, "hat": 3})", "'hat'"},
-      {R"({"mien_face_state": 1, "grid": {"rows": 56.5}})", "'grid.rows'"},
-      {R"({"mien_face_state": 1, "grid": {"rows": 1e300}})", "'grid.rows'"},
-      {R"({"mien_face_state": 1, "grid": {"rows": 99999999999999}})", "'grid.rows'"},
-      {R"({"mien_face_state": 1, "grid": {"precision": "half"}})", "'grid.precision'"},
-      {R"({"mien_face_state": 1, "surface": 5})", "'surface'"},
-      {R"({"mien_face_state": 1, "surface": {"a": [1, 2]}})", "nine numbers"},
-      {R"({"mien_face_state": 1, "surface": {"a": [1, 1, 1, 1, 1, 1, 1, 1, "x"]}})", "nine numbers"},
-      {R"({"mien_face_state": 1, "surface": {"remainder": 1}})", "'surface.remainder'"},
-      {R"({"mien_face_state": 1, "animation": {"file": "x", "index": 1, "time": 2}})", "more than one"},
-      {R"({"mien_face_state": 1, "fap_values": {"5x": 1}})", "'fap_values.5x'"},
-      {R"({"mien_face_state": 1, "expression": {"name": 4}})", "'expression.name'"},
+      {R"({"mien_face_state": 1})", "version 2"},
+      {R"({"mien_face_state": 2, "hat": 3})", "'hat'"},
+      {R"({"mien_face_state": 2, "grid": {"rows": 56.5}})", "'grid.rows'"},
+      {R"({"mien_face_state": 2, "grid": {"rows": 1e300}})", "'grid.rows'"},
+      {R"({"mien_face_state": 2, "grid": {"rows": 99999999999999}})", "'grid.rows'"},
+      {R"({"mien_face_state": 2, "grid": {"precision": "half"}})", "'grid.precision'"},
+      {R"({"mien_face_state": 2, "surface": 5})", "'surface'"},
+      {R"({"mien_face_state": 2, "surface": {"a": [1, 2]}})", "nine numbers"},
+      {R"({"mien_face_state": 2, "surface": {"a": [1, 1, 1, 1, 1, 1, 1, 1, "x"]}})", "nine numbers"},
+      {R"({"mien_face_state": 2, "surface": {"remainder": 1}})", "'surface.remainder'"},
+      {R"({"mien_face_state": 2, "animation": {"file": "x", "index": 1, "time": 2}})", "more than one"},
+      {R"({"mien_face_state": 2, "fap_values": {"5x": 1}})", "'fap_values.5x'"},
+      {R"({"mien_face_state": 2, "expressions": {"joy": "much"}})", "'expressions.joy'"},
+      {R"({"mien_face_state": 2, "expressions": [1]})", "'expressions'"},
+      {R"({"mien_face_state": 2, "deformation": {"table": 4}})", "'deformation.table'"},
   };
   FaceState kept;
   kept.rows = 83;
@@ -103,7 +108,9 @@ TEST(FaceState, ValuesOutOfRangeAreNamed) {
       {[](FaceState& s) { s.fapValues[2] = 1; }, "3 .. 68"},
       {[](FaceState& s) { s.fapValues[69] = 1; }, "3 .. 68"},
       {[nan](FaceState& s) { s.fapValues[53] = nan; }, "FAP 53"},
-      {[](FaceState& s) { s.expressionIntensity = 1.1; }, "0 .. 1"},
+      {[](FaceState& s) { s.expressions["joy"] = 1.1; }, "0 .. 1"},
+      {[nan](FaceState& s) { s.expressions["joy"] = nan; }, "0 .. 1"},
+      {[](FaceState& s) { s.deformation.strength = 2.5; }, "-2 .. 2"},
   };
   for (const auto& [change, part] : cases) EXPECT_NE(faultOf(change).find(part), std::string::npos) << faultOf(change);
 }

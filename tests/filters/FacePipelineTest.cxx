@@ -131,9 +131,9 @@ TEST(FacePipeline, OwnFAPsAddToThoseOfTheFile) {
 TEST(FacePipeline, AnExpressionMovesTheFaceInProportion) {
   FacePipeline pipeline;
   FaceState state;
-  state.expression = "joy";
+  state.expressions["joy"] = 1.0;
   const double full = largestDisplacement(pipeline, state);
-  state.expressionIntensity = 0.1;
+  state.expressions["joy"] = 0.1;
   const double tenth = largestDisplacement(pipeline, state);
   EXPECT_GT(full, 2.0);
   EXPECT_GT(tenth, 0.02 * full);
@@ -152,7 +152,7 @@ TEST(FacePipeline, AMissingFrameOrExpressionIsNamedAndCanBeMended) {
   pipeline.setState(animated("/no/such.fap", FaceState::FrameChoice::Index, 0));
   EXPECT_EQ(pipeline.update().rfind("/no/such.fap: ", 0), 0u) << pipeline.update();
   FaceState state;
-  state.expression = "envy";
+  state.expressions["envy"] = 1.0;
   pipeline.setState(state);
   EXPECT_EQ(pipeline.update().rfind("there is no expression 'envy'; there are ", 0), 0u) << pipeline.update();
   EXPECT_EQ(pipeline.updateNeutralCurves(), "");

@@ -88,7 +88,7 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "both") click(window, "meshBoth");
   if (key == "unlinked") click(window, "curveLink");
   if (key == "tab") window.findChild<QTabWidget*>("fapTabs")->setCurrentIndex(value.toInt());
-  if (key == "expression") model.change([&](mien::FaceState& state) { state.expression = value.toStdString(); });
+  if (key == "expression") model.change([&](mien::FaceState& state) { state.expressions[value.toStdString()] = 1.0; });
   if (key == "fap")
     model.change([&](mien::FaceState& state) {
       state.fapValues[value.section(':', 0, 0).toInt()] = value.section(':', 1).toDouble();

@@ -18,7 +18,7 @@ TEST_F(ExpressionPanel, EachOfTheSixMovesTheFaceAndIsSeen) {
     EXPECT_FALSE(button->toolTip().isEmpty());
     QTest::mouseClick(button, Qt::LeftButton);
     EXPECT_TRUE(button->isChecked());
-    EXPECT_EQ(window->model().state().expression, name);
+    EXPECT_EQ(window->model().state().expressions.count(name), 1u);
     EXPECT_GT(largestDisplacement(), 1.0) << name;
     EXPECT_NE(find<QWidget>("faceView")->grab().toImage(), neutral) << name;
   }
@@ -43,7 +43,7 @@ TEST_F(ExpressionPanel, IntensityWeakensIt) {
   percent->selectAll();
   QTest::keyClicks(percent, "50");
   const double half = largestDisplacement();
-  EXPECT_EQ(window->model().state().expressionIntensity, 0.5);
+  EXPECT_EQ(window->model().state().expressions.at("joy"), 0.5);
   EXPECT_GT(half, 0.2 * full);
   EXPECT_LT(half, 0.8 * full);
   EXPECT_EQ(find<mien::ValueSlider>("expressionIntensity")->value(), 50);
