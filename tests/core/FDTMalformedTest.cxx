@@ -1,8 +1,8 @@
+#include <filesystem>
+
 #include "MarkerTable.h"
 #include "RegionMap.h"
 #include "TableText.h"
-
-#include <filesystem>
 
 using namespace mien;
 

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "PackedTable.h"
 #include "TableText.h"
 
 using namespace mien;
@@ -15,9 +16,17 @@ void require(bool holds) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string bytes(reinterpret_cast<const char*>(data), size);
+  if (isPackedTable(bytes)) {
+    DeformationTable packed;
+    packed.largestDisplacement = 0.25;
+    if (!unpackTable(bytes, packed).empty()) require(packed.largestDisplacement == 0.25);
+    for (const QuadraticMap& map : packed.maps) require(map.coefficients.allFinite());
+    return 0;
+  }
   DeformationTable table, again;
   table.largestDisplacement = 0.25;
-  const std::string fault = parseTable(std::string(reinterpret_cast<const char*>(data), size), table);
+  const std::string fault = parseTable(bytes, table);
   if (!fault.empty()) {
     require(std::atoi(fault.c_str()) >= 1 && table.largestDisplacement == 0.25);
     return 0;

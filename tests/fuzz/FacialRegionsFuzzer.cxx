@@ -27,7 +27,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       for (const double weight : regions.weights(point, side)) sum += weight;
       require(std::abs(sum - 1.0) < 1e-9);
       const int nearest = regions.nearest(point, side);
-      require(nearest >= 1 && nearest <= FacialRegions::count && regions.mirrored(regions.mirrored(nearest)) == nearest);
+      require(nearest >= 1 && nearest <= FacialRegions::count &&
+              regions.mirrored(regions.mirrored(nearest)) == nearest);
     }
   return 0;
 }
