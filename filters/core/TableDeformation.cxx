@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "SmoothStep.h"
+
 namespace mien {
 
 namespace {
@@ -39,8 +41,8 @@ TableDeformation::TableDeformation(const std::vector<DeformationPoint>& points, 
 
 void TableDeformation::addShare(const FacialRegions& regions, const Eigen::Vector2d& point, int region, double weight) {
   const double distance = (point - regions.centre(region)).norm();
-  const double t = std::clamp((noTrust - distance) / (noTrust - fullTrust), 0.0, 1.0);
-  shares_.push_back({weight, weight * t * t * (3.0 - 2.0 * t), region - 1});
+  const double trust = smoothStep((noTrust - distance) / (noTrust - fullTrust));
+  shares_.push_back({weight, weight * trust, region - 1});
 }
 
 void TableDeformation::displacements(const DeformationTable& table, double limit, double strength, std::size_t begin,

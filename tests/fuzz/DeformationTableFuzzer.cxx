@@ -3,17 +3,10 @@
 #include <cstdlib>
 
 #include "PackedTable.h"
+#include "Require.h"
 #include "TableText.h"
 
 using namespace mien;
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);

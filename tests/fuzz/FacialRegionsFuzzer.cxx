@@ -3,16 +3,9 @@
 #include <cstdlib>
 
 #include "FacialRegions.h"
+#include "Require.h"
 
 using namespace mien;
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FacialRegions regions;
