@@ -96,6 +96,7 @@ void TimelinePanel::connectAll() {
   connect(frame_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int frame) { player_->seek(frame - 1); });
   connect(player_, &AnimationPlayer::playingChanged, this, &TimelinePanel::showPlaying);
   connect(model_, &FaceModel::animationChanged, this, &TimelinePanel::showAnimation);
+  connect(model_, &FaceModel::animationGrew, this, &TimelinePanel::showAnimation);
   connect(model_, &FaceModel::stateChanged, this, &TimelinePanel::showFrame);
 }
 
@@ -110,8 +111,8 @@ void TimelinePanel::showAnimation() {
     widget->setEnabled(count > 0);
   close_->setVisible(count > 0);
   const QFileInfo file(QString::fromStdString(model_->state().fapFile));
-  title_->setText(count > 0 ? file.fileName() : tr("No animation. Open a .fap file or drop one on the window."));
-  title_->setToolTip(count > 0 ? file.absoluteFilePath() : QString());
+  title_->setText(model_->isLive() ? tr("Live stream") : count > 0 ? file.fileName() : tr("No animation. Open a .fap file or drop one on the window."));
+  title_->setToolTip(count > 0 && !model_->isLive() ? file.absoluteFilePath() : QString());
   showFrame();
 }
 

@@ -14,6 +14,7 @@ void addCurvesCommand(CLI::App& program);
 void addPatchCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addAnimateCommand(CLI::App& program);
+void addConvertCommand(CLI::App& program);
 void addAcquireCommand(CLI::App& program);
 void addContinuityCommand(CLI::App& program);
 void addSpectrumCommand(CLI::App& program);

@@ -25,6 +25,7 @@ void addCommands(CLI::App& program) {
   mien::addPatchCommand(program);
   mien::addRenderCommand(program);
   mien::addAnimateCommand(program);
+  mien::addConvertCommand(program);
   mien::addAcquireCommand(program);
   mien::addContinuityCommand(program);
   mien::addSpectrumCommand(program);
