@@ -182,6 +182,7 @@ void addAnimateCommand(CLI::App& program) {
   command->add_option("--fps", options->fps, "Moments per second, mixed from the frames around them [the frames]");
   options->picture.addTo(*command);
   options->face.addSurfaceOptions(*command);
+  options->face.addTextureOptions(*command);
   command->footer(
       "Example: mien animate speech.fap -o frames/ --contact-sheet sheet.png\n"
       "         mien animate speech.fap --scheme tangent --view 45 -o speech.ogv\n"

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "MienTextureModule.h"
+
+#include <string>
+
+class vtkImageData;
+
+namespace mien {
+
+/// Reads a picture: .png, .jpg, .jpeg, .tif or .tiff of 8 or 16 bits or float.
+/// @return nothing, or `FILE: what is wrong and what to do`; the image is then empty
+MIENTEXTURE_EXPORT std::string readImageFile(const std::string& name, vtkImageData* image);
+
+}  // namespace mien
