@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace mien {
@@ -18,13 +17,25 @@ class PixelLine {
 
   /// The mean over every stretch between neighbouring borders (pixels, not descending), channels together.
   void means(const double* borders, int stretches, Value* result) const {
-    for (int i = 0; i < stretches; ++i, result += channels_) mean(borders[i], borders[i + 1], result);
+    if (channels_ == 1) return run<1>(borders, stretches, result);
+    if (channels_ == 3) return run<3>(borders, stretches, result);
+    if (channels_ == 4) return run<4>(borders, stretches, result);
+    run<0>(borders, stretches, result);
   }
 
  private:
   static constexpr double narrowest = 1e-3;  ///< stretch whose mean is the value in its middle, pixels
 
-  int pixelAt(double x) const { return static_cast<int>(std::clamp(std::floor(x), 0.0, count_ - 1.0)); }
+  /// The loops over channels are unrolled for pictures of the usual kinds; 0: any number.
+  template <int Fixed>
+  int channels() const { return Fixed > 0 ? Fixed : channels_; }
+
+  template <int Fixed>
+  void run(const double* borders, int stretches, Value* result) const {
+    for (int i = 0; i < stretches; ++i, result += channels<Fixed>()) mean<Fixed>(borders[i], borders[i + 1], result);
+  }
+
+  int pixelAt(double x) const { return static_cast<int>(std::clamp(x, 0.0, count_ - 1.0)); }
   const Value* pixel(int i) const { return pixels_ + static_cast<std::ptrdiff_t>(std::clamp(i, 0, count_ - 1)) * channels_; }
 
   /// The parabola of one pixel in one channel.
@@ -40,27 +51,29 @@ class PixelLine {
     Value integral(Value t) const { return t * (left + t * (bend / 2 + t * (curve / 3))); }
   };
 
+  template <int Fixed>
   void mean(double begin, double end, Value* result) const {
-    if (end - begin < narrowest) return point(0.5 * (begin + end), result);
+    if (end - begin < narrowest) return point<Fixed>(0.5 * (begin + end), result);
     const double length = end - begin;
     begin = std::clamp(begin, 0.0, static_cast<double>(count_));
     end = std::clamp(end, 0.0, static_cast<double>(count_));
-    if (end - begin < length) return point(0.5 * (begin + end), result);
+    if (end - begin < length) return point<Fixed>(0.5 * (begin + end), result);
     const int first = pixelAt(begin), last = pixelAt(end);
     const Value from = static_cast<Value>(begin - first), to = static_cast<Value>(end - last), scale = static_cast<Value>(1.0 / length);
     const Value *before = pixel(first - 1), *here = pixel(first), *after = pixel(first + 1);
-    for (int c = 0; c < channels_; ++c) result[c] = -Piece(before[c], here[c], after[c]).integral(from);
+    for (int c = 0; c < channels<Fixed>(); ++c) result[c] = -Piece(before[c], here[c], after[c]).integral(from);
     for (int i = first; i < last; ++i)
-      for (int c = 0; c < channels_; ++c) result[c] += pixels_[static_cast<std::ptrdiff_t>(i) * channels_ + c];
+      for (int c = 0; c < channels<Fixed>(); ++c) result[c] += pixels_[static_cast<std::ptrdiff_t>(i) * channels<Fixed>() + c];
     before = pixel(last - 1), here = pixel(last), after = pixel(last + 1);
-    for (int c = 0; c < channels_; ++c) result[c] = (result[c] + Piece(before[c], here[c], after[c]).integral(to)) * scale;
+    for (int c = 0; c < channels<Fixed>(); ++c) result[c] = (result[c] + Piece(before[c], here[c], after[c]).integral(to)) * scale;
   }
 
+  template <int Fixed>
   void point(double x, Value* result) const {
     const int i = pixelAt(x);
     const Value t = static_cast<Value>(std::clamp(x - i, 0.0, 1.0));
     const Value *before = pixel(i - 1), *here = pixel(i), *after = pixel(i + 1);
-    for (int c = 0; c < channels_; ++c) result[c] = Piece(before[c], here[c], after[c]).at(t);
+    for (int c = 0; c < channels<Fixed>(); ++c) result[c] = Piece(before[c], here[c], after[c]).at(t);
   }
 
   const Value* pixels_;
