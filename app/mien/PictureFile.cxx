@@ -3,7 +3,6 @@
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
-
 #include "vtkImageData.h"
 #include "vtkImageWriter.h"
 #include "vtkJPEGWriter.h"
@@ -35,7 +34,8 @@ void writePicture(vtkImageData* image, const std::string& name) {
   const std::string ending = fileEnding(name);
   requireEnding(name, {"png", "jpg", "jpeg", "tif", "tiff"});
   if (!canHold(ending, image->GetScalarType()))
-    throw ValueFailure(name + ": ." + ending + " cannot hold values of this kind (" + image->GetScalarTypeAsString() + "); write a .tif");
+    throw ValueFailure(name + ": ." + ending + " cannot hold values of this kind (" + image->GetScalarTypeAsString() +
+                       "); write a .tif");
   OutputFile file(name);
   const auto writer = writerFor(ending);
   PipelineErrors errors;

@@ -1,3 +1,8 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
 #include "Arguments.h"
 #include "BoundaryCurveData.h"
 #include "Command.h"
@@ -14,7 +19,6 @@
 #include "TextFile.h"
 #include "WarpMeshData.h"
 #include "WarpMeshText.h"
-
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
@@ -22,12 +26,6 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
-
-#include <CLI/CLI.hpp>
-
-#include <filesystem>
-#include <iostream>
-#include <memory>
 
 namespace mien {
 
@@ -43,12 +41,15 @@ struct Options {
 };
 
 void check(const Options& options) {
-  if (!options.source.empty() && !options.landmarks.empty()) throw ValueFailure("--source and --landmarks both say where features lie; give one");
+  if (!options.source.empty() && !options.landmarks.empty())
+    throw ValueFailure("--source and --landmarks both say where features lie; give one");
   if (options.source.empty() && options.landmarks.empty() && !std::filesystem::exists(meshBeside(options.image)))
-    throw ValueFailure("there is no " + meshBeside(options.image) + " beside the image; give --source MESH.csv or --landmarks FILE.csv");
+    throw ValueFailure("there is no " + meshBeside(options.image) +
+                       " beside the image; give --source MESH.csv or --landmarks FILE.csv");
   if (!options.mesh.empty() && options.mesh != "7x7" && options.mesh != "fine")
     throw ValueFailure("--mesh '" + options.mesh + "' is unknown; it is 7x7 or fine");
-  if (!options.mesh.empty() && options.landmarks.empty()) throw ValueFailure("--mesh says what is made of --landmarks; give them, or leave it out");
+  if (!options.mesh.empty() && options.landmarks.empty())
+    throw ValueFailure("--mesh says what is made of --landmarks; give them, or leave it out");
   if (options.output.empty() && options.saveSource.empty() && options.saveTarget.empty())
     throw ValueFailure("there is nothing to write; give -o, --save-source or --save-target");
   if (!options.output.empty()) requireEnding(options.output, {"png", "jpg", "jpeg", "tif", "tiff"});
@@ -95,7 +96,8 @@ WarpMesh meshOfLandmarks(const Options& options, const FaceCurves& face, vtkImag
   if (!fault.empty()) throw FileFailure(options.landmarks + ":" + fault);
   WarpMesh mesh;
   const int* size = image->GetDimensions();
-  fault = photographMesh(layoutOn(face, options.mesh == "7x7" ? Kind::SevenBySeven : Kind::Fine), face, landmarks, size[0], size[1], mesh);
+  fault = photographMesh(layoutOn(face, options.mesh == "7x7" ? Kind::SevenBySeven : Kind::Fine), face, landmarks,
+                         size[0], size[1], mesh);
   if (!fault.empty()) throw FileFailure(options.landmarks + ": " + fault);
   return mesh;
 }
@@ -138,8 +140,9 @@ void warp(const Options& options, vtkImageData* image, const WarpMesh& source, c
   filter->SetInputData(image);
   filter->SetSourceMeshData(from);
   filter->SetTargetMeshData(to);
-  auto [width, height] = options.size.empty() ? std::pair(static_cast<int>(target.width), static_cast<int>(target.height))
-                                              : parseSize("--size", options.size);
+  auto [width, height] = options.size.empty()
+                             ? std::pair(static_cast<int>(target.width), static_cast<int>(target.height))
+                             : parseSize("--size", options.size);
   const int largest = vtkImageMeshWarpFilter::LargestSide;
   if (width > largest || height > largest)
     throw ValueFailure("--size " + std::to_string(width) + "x" + std::to_string(height) + " is too large; at most " +
@@ -161,8 +164,9 @@ void run(const Options& options) {
   const std::string fault = readImageFile(options.image, image);
   if (!fault.empty()) throw FileFailure(fault);
   const FaceCurves face = readFace(options.face);
-  const WarpMesh source = !options.landmarks.empty() ? meshOfLandmarks(options, face, image)
-                                                     : readMesh(options.source.empty() ? meshBeside(options.image) : options.source);
+  const WarpMesh source = !options.landmarks.empty()
+                              ? meshOfLandmarks(options, face, image)
+                              : readMesh(options.source.empty() ? meshBeside(options.image) : options.source);
   const WarpMesh target = targetOf(options, face, source);
   if (!options.output.empty()) warp(options, image, source, target);
   if (!options.saveSource.empty()) OutputFile::write(options.saveSource, writeWarpMesh(source));
@@ -174,10 +178,13 @@ void run(const Options& options) {
 void addTextureCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("texture", "Warp a photograph into the texture of a face");
-  const auto add = [&](const char* name, std::string& value, const char* help) { return command->add_option(name, value, help); };
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    return command->add_option(name, value, help);
+  };
   add("image", options->image, "Photograph of a face from the front: .png .jpg .tif")->required();
   add("--source", options->source, "Warp mesh over the photograph, MESH.csv [the .csv beside it]");
-  add("--landmarks", options->landmarks, "In place of --source: landmark,x,y in pixels, y down; 68 by number or 25 by name, FILE.csv");
+  add("--landmarks", options->landmarks,
+      "In place of --source: landmark,x,y in pixels, y down; 68 by number or 25 by name, FILE.csv");
   add("--mesh", options->mesh, "What --landmarks make: 7x7, or fine, which follows lids and lips [fine]");
   add("--target", options->target, "Warp mesh to take it to, MESH.csv [the features of the face in (u, v)]");
   add("--face", options->face, "Boundary curves, FILE.vtp [the generic face]");
@@ -188,8 +195,10 @@ void addTextureCommand(CLI::App& program) {
   command->footer(
       "Example: mien texture anna.jpg --landmarks anna68.csv --save-source anna.csv -o anna_texture.png\n"
       "         mien render --texture anna.jpg --expression joy -o joy.png\n"
-      "A surface shows the texture through its TextureCoordinates. The 25 names: 4.6 4.4 brow_middle 4.3 4.5 (brows), 3.12 3.2 nose_bridge\n"
-      "3.1 3.7 (eyes), 5.4 3.4 9.12 3.3 5.3 (cheeks and lower lids), 8.4 8.6 8.1 8.5 8.3 (upper lip), lower_lip_right 8.8 8.2 8.7 lower_lip_left.");
+      "A surface shows the texture through its TextureCoordinates. The 25 names: 4.6 4.4 brow_middle 4.3 4.5 (brows), "
+      "3.12 3.2 nose_bridge\n"
+      "3.1 3.7 (eyes), 5.4 3.4 9.12 3.3 5.3 (cheeks and lower lids), 8.4 8.6 8.1 8.5 8.3 (upper lip), lower_lip_right "
+      "8.8 8.2 8.7 lower_lip_left.");
   command->callback([options] { run(*options); });
 }
 

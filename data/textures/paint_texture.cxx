@@ -1,26 +1,26 @@
-/// Paints the texture that comes with Mien: a face from the front, drawn over the boundary curves of the generic face, and its warp mesh.
-/// usage: paint_texture FOLDER   writes FOLDER/painted.png, FOLDER/painted.csv (19 x 21 points) and FOLDER/painted_7x7.csv
+/// Paints the texture that comes with Mien: a face from the front, drawn over the boundary curves of the generic face,
+/// and its warp mesh. usage: paint_texture FOLDER   writes FOLDER/painted.png, FOLDER/painted.csv (19 x 21 points) and
+/// FOLDER/painted_7x7.csv
 ///
-/// Everything is drawn in mm as the face is seen from the front (x to the subject's left, y up); no other picture is used.
-#include "BoundaryCurveData.h"
-#include "FaceLayout.h"
-#include "FaceWarpLayout.h"
-#include "WarpMeshText.h"
-
-#include "vtkBoundaryCurveReader.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-
+/// Everything is drawn in mm as the face is seen from the front (x to the subject's left, y up); no other picture is
+/// used.
 #include <QGuiApplication>
 #include <QImage>
 #include <QPainter>
 #include <QPainterPath>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <random>
+
+#include "BoundaryCurveData.h"
+#include "FaceLayout.h"
+#include "FaceWarpLayout.h"
+#include "WarpMeshText.h"
+#include "vtkBoundaryCurveReader.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 
 namespace {
 
@@ -30,14 +30,18 @@ constexpr double left = -78.0, top = 120.0, width = 156.0, height = 204.0;  // o
 
 using Random = std::mt19937;  // the same numbers everywhere, unlike the library's distributions
 
-double uniform(Random& random, double low, double high) { return low + (high - low) * (random() / 4294967296.0); }
+double uniform(Random& random, double low, double high) {
+  return low + (high - low) * (random() / 4294967296.0);
+}
 
 QColor faded(QColor colour, double opacity) {
   colour.setAlphaF(std::clamp(opacity, 0.0, 1.0));
   return colour;
 }
 
-QPointF between(QPointF a, QPointF b, double share) { return a + share * (b - a); }
+QPointF between(QPointF a, QPointF b, double share) {
+  return a + share * (b - a);
+}
 
 /// One face on one picture.
 class Painting {
@@ -68,7 +72,9 @@ class Painting {
   const QColor skin{226, 182, 158}, edge{206, 160, 136}, red{196, 96, 84}, shade{132, 82, 66}, light{248, 218, 196};
   const QColor hair{66, 44, 33}, lash{38, 24, 20}, lip{176, 92, 88}, dark{92, 38, 36};
 
-  static QSize size(int factor) { return {int(width * pixelsPerMillimetre) * factor, int(height * pixelsPerMillimetre) * factor}; }
+  static QSize size(int factor) {
+    return {int(width * pixelsPerMillimetre) * factor, int(height * pixelsPerMillimetre) * factor};
+  }
 
   /// Where a curve is, so many degrees of v from the midline towards the side.
   QPointF at(const char* curve, double degrees) const {
@@ -84,7 +90,8 @@ class Painting {
     painter_.translate(middle);
     painter_.scale(radiusX, radiusY);
     QRadialGradient gradient(0, 0, 1);
-    for (int i = 0; i <= 8; ++i) gradient.setColorAt(i / 8.0, faded(colour, opacity * std::pow(std::cos(M_PI * i / 16.0), 2)));
+    for (int i = 0; i <= 8; ++i)
+      gradient.setColorAt(i / 8.0, faded(colour, opacity * std::pow(std::cos(M_PI * i / 16.0), 2)));
     painter_.setPen(Qt::NoPen);
     painter_.setBrush(gradient);
     painter_.drawEllipse(QPointF(0, 0), 1.0, 1.0);
@@ -107,7 +114,8 @@ class Painting {
     QPainterPath path(points.front());
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       const QPointF before = points[i == 0 ? 0 : i - 1], after = points[std::min(i + 2, points.size() - 1)];
-      path.cubicTo(points[i] + (points[i + 1] - before) / 6.0, points[i + 1] - (after - points[i]) / 6.0, points[i + 1]);
+      path.cubicTo(points[i] + (points[i + 1] - before) / 6.0, points[i + 1] - (after - points[i]) / 6.0,
+                   points[i + 1]);
     }
     return path;
   }
@@ -154,7 +162,8 @@ class Painting {
     QPainterPath opening = through(upper);
     opening.connectPath(through({lower.rbegin(), lower.rend()}));
     opening.closeSubpath();
-    const QPointF middle = between(at("C9", degreesOf(side > 0 ? "3.1" : "3.2")), at("C10", degreesOf(side > 0 ? "3.3" : "3.4")), 0.46);
+    const QPointF middle =
+        between(at("C9", degreesOf(side > 0 ? "3.1" : "3.2")), at("C10", degreesOf(side > 0 ? "3.3" : "3.4")), 0.46);
     softStroke(opening, shade, 0.34, 5.0);
     paintEyeball(opening, middle, upper, lower, side);
     std::vector<QPointF> crease;
@@ -166,7 +175,8 @@ class Painting {
     paintLashes(upper, lower, side);
   }
 
-  void paintEyeball(const QPainterPath& opening, QPointF middle, const std::vector<QPointF>& upper, const std::vector<QPointF>& lower, double side) {
+  void paintEyeball(const QPainterPath& opening, QPointF middle, const std::vector<QPointF>& upper,
+                    const std::vector<QPointF>& lower, double side) {
     painter_.save();
     painter_.setClipPath(opening);
     painter_.fillPath(opening, QColor(232, 226, 220));
@@ -184,7 +194,8 @@ class Painting {
     painter_.drawEllipse(middle, iris, iris);
     Random random(7);
     for (int i = 0; i < 90; ++i) {
-      const double angle = uniform(random, 0.0, 2.0 * M_PI), begin = uniform(random, 2.2, 3.4), end = uniform(random, 3.6, 5.3);
+      const double angle = uniform(random, 0.0, 2.0 * M_PI), begin = uniform(random, 2.2, 3.4),
+                   end = uniform(random, 3.6, 5.3);
       const QPointF way(std::cos(angle), std::sin(angle));
       QPainterPath ray(middle + begin * way);
       ray.lineTo(middle + end * way);
@@ -216,17 +227,23 @@ class Painting {
   void paintBrow(double side) {
     Random random(3);
     const double inner = std::abs(degreesOf("4.1")), outer = std::abs(degreesOf("4.5"));
-    const auto middle = [&](double share) { return at("C6", side * (inner + share * (outer - inner))) + QPointF(0, -1.2); };
-    const auto half = [](double share) { return share < 0.55 ? 3.4 - 1.0 * share : 2.85 * (1.0 - share) / 0.45 * 0.8 + 0.57; };
+    const auto middle = [&](double share) {
+      return at("C6", side * (inner + share * (outer - inner))) + QPointF(0, -1.2);
+    };
+    const auto half = [](double share) {
+      return share < 0.55 ? 3.4 - 1.0 * share : 2.85 * (1.0 - share) / 0.45 * 0.8 + 0.57;
+    };
     for (int i = 0; i <= 30; ++i) {
       const double share = i / 30.0;
       glow(middle(share), 3.4, 1.0 * half(share) + 0.8, hair, share < 0.06 || share > 0.96 ? 0.06 : 0.17);
     }
     for (int i = 0; i < 620; ++i) {
-      const double share = std::sqrt(uniform(random, 0.0, 1.0)) * 0.25 + uniform(random, 0.0, 0.76), across = uniform(random, -1.0, 1.0);
+      const double share = std::sqrt(uniform(random, 0.0, 1.0)) * 0.25 + uniform(random, 0.0, 0.76),
+                   across = uniform(random, -1.0, 1.0);
       const QPointF root = middle(share) + QPointF(0, across * half(share));
       const QPointF along = middle(std::min(1.0, share + 0.02)) - middle(share - 0.02);
-      const double rise = (0.95 - 1.15 * share) - 0.45 * across, length = uniform(random, 2.6, 4.6) * (1.0 - 0.45 * share);
+      const double rise = (0.95 - 1.15 * share) - 0.45 * across,
+                   length = uniform(random, 2.6, 4.6) * (1.0 - 0.45 * share);
       QPointF way = along / std::hypot(along.x(), along.y()) + QPointF(0, rise);
       way *= length / std::hypot(way.x(), way.y());
       QPainterPath hairPath(root - 0.5 * way);
@@ -238,7 +255,8 @@ class Painting {
   void paintNostril(double side) {
     glow({side * 6.6, -10.6}, 4.6, 2.6, QColor(70, 34, 28), 0.95);
     glow({side * 6.4, -11.0}, 3.2, 1.6, QColor(40, 18, 16), 0.9);
-    softStroke(through({{side * 14.0, 2.5}, {side * 17.2, -2.0}, {side * 17.4, -7.0}, {side * 14.4, -10.6}}), shade, 0.55, 3.0);
+    softStroke(through({{side * 14.0, 2.5}, {side * 17.2, -2.0}, {side * 17.4, -7.0}, {side * 14.4, -10.6}}), shade,
+               0.55, 3.0);
     softStroke(through({{side * 18.5, -4.0}, {side * 24.0, -14.0}, {side * 29.5, -26.0}}), shade, 0.20, 5.0);
     softStroke(through({{side * 3.6, -13.0}, {side * 4.6, -18.0}, {side * 5.4, -22.5}}), light, 0.28, 2.6);
   }
@@ -296,7 +314,8 @@ class Painting {
     }
   }
 
-  /// Skin is never even: blotches of a few mm, the same in all colours, that end before the sides, which are drawn out around the head.
+  /// Skin is never even: blotches of a few mm, the same in all colours, that end before the sides, which are drawn out
+  /// around the head.
   static QImage withGrain(const QImage& smooth) {
     QImage image = smooth;
     Random random(23);
@@ -304,8 +323,10 @@ class Painting {
     const QImage medium = noise(random, 110, 144).scaled(image.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     for (int y = 0; y < image.height(); ++y)
       for (int x = 0; x < image.width(); ++x) {
-        const double across = std::abs(2.0 * x / image.width() - 1.0), inside = std::clamp((0.74 - across) / 0.3, 0.0, 1.0);
-        const double change = inside * (0.034 * (qRed(coarse.pixel(x, y)) - 128) + 0.05 * (qRed(medium.pixel(x, y)) - 128));
+        const double across = std::abs(2.0 * x / image.width() - 1.0),
+                     inside = std::clamp((0.74 - across) / 0.3, 0.0, 1.0);
+        const double change =
+            inside * (0.034 * (qRed(coarse.pixel(x, y)) - 128) + 0.05 * (qRed(medium.pixel(x, y)) - 128));
         const QRgb p = image.pixel(x, y);
         const auto add = [&](int value) { return std::clamp(int(std::lround(value + change)), 0, 255); };
         image.setPixel(x, y, qRgb(add(qRed(p)), add(qGreen(p)), add(qBlue(p))));
@@ -332,7 +353,8 @@ class Painting {
 std::string meshText(const mien::FaceCurves& face, const QImage& picture, mien::FaceWarpLayout::Kind kind) {
   mien::FaceWarpLayout layout;
   layout.set(kind, face);
-  return mien::writeWarpMesh(mien::frontMesh(layout, face, pixelsPerMillimetre, {left, top}, picture.width(), picture.height()));
+  return mien::writeWarpMesh(
+      mien::frontMesh(layout, face, pixelsPerMillimetre, {left, top}, picture.width(), picture.height()));
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "FaceWarpLayout.h"
 
-#include "FaceLayout.h"
-#include "SmoothWarp.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "FaceLayout.h"
+#include "SmoothWarp.h"
 
 namespace mien {
 
@@ -16,15 +16,35 @@ using Place = FacePlace;
 constexpr int paperSide = 7;
 constexpr double frontal = M_PI / 2;  // to either side of the midline
 
-constexpr std::array<const char*, 25> featurePlaces = {
-    "4.6", "4.4", "brow_middle", "4.3", "4.5",                        //
-    "3.12", "3.2", "nose_bridge", "3.1", "3.7",                       //
-    "5.4", "3.4", "9.12", "3.3", "5.3",                               //
-    "8.4", "8.6", "8.1", "8.5", "8.3",                                //
-    "lower_lip_right", "8.8", "8.2", "8.7", "lower_lip_left"};
+constexpr std::array<const char*, 25> featurePlaces = {"4.6",
+                                                       "4.4",
+                                                       "brow_middle",
+                                                       "4.3",
+                                                       "4.5",  //
+                                                       "3.12",
+                                                       "3.2",
+                                                       "nose_bridge",
+                                                       "3.1",
+                                                       "3.7",  //
+                                                       "5.4",
+                                                       "3.4",
+                                                       "9.12",
+                                                       "3.3",
+                                                       "5.3",  //
+                                                       "8.4",
+                                                       "8.6",
+                                                       "8.1",
+                                                       "8.5",
+                                                       "8.3",  //
+                                                       "lower_lip_right",
+                                                       "8.8",
+                                                       "8.2",
+                                                       "8.7",
+                                                       "lower_lip_left"};
 
-constexpr std::array<const char*, 19> fineCurves = {"C1",  "C3",  "C5",  "C6",  "C8",  "C9",  "C10", "C11", "C13", "C15",
-                                                    "C17", "C18", "C20", "C21", "C22", "C23", "C24", "C26", "C28"};
+constexpr std::array<const char*, 19> fineCurves = {"C1",  "C3",  "C5",  "C6",  "C8",  "C9",  "C10",
+                                                    "C11", "C13", "C15", "C17", "C18", "C20", "C21",
+                                                    "C22", "C23", "C24", "C26", "C28"};
 constexpr int fineColumns = 21;
 
 std::string setPaper(const FaceCurves& face, FaceWarpLayout& layout) {
@@ -49,7 +69,8 @@ void setFine(FaceWarpLayout& layout) {
   layout = {static_cast<int>(fineCurves.size()), fineColumns, {}};
   for (const char* curve : fineCurves)
     for (int j = 0; j < fineColumns; ++j)
-      layout.places.push_back({"", static_cast<double>(FaceLayout::curveIndex(curve)), M_PI + frontal * (2.0 * j / (fineColumns - 1) - 1.0)});
+      layout.places.push_back({"", static_cast<double>(FaceLayout::curveIndex(curve)),
+                               M_PI + frontal * (2.0 * j / (fineColumns - 1) - 1.0)});
 }
 
 /// C22 and C22' lie at the same u.
@@ -67,10 +88,12 @@ Eigen::Vector2d seen(const FaceCurves& face, const Place& place) {
   return {point.x(), -point.y()};
 }
 
-std::string fit(const FaceCurves& face, const ImageLandmarks& landmarks, SmoothWarp::Points& from, SmoothWarp::Points& to) {
+std::string fit(const FaceCurves& face, const ImageLandmarks& landmarks, SmoothWarp::Points& from,
+                SmoothWarp::Points& to) {
   std::vector<PlacePair> pairs;
-  const std::string fault = landmarks.count("0") != 0 ? pairByNumber(face, landmarks, pairs)
-                                                      : pairByName(face, {featurePlaces.begin(), featurePlaces.end()}, landmarks, pairs);
+  const std::string fault = landmarks.count("0") != 0
+                                ? pairByNumber(face, landmarks, pairs)
+                                : pairByName(face, {featurePlaces.begin(), featurePlaces.end()}, landmarks, pairs);
   if (!fault.empty()) return fault;
   from.resize(pairs.size(), 2);
   to.resize(pairs.size(), 2);
@@ -123,20 +146,23 @@ WarpMesh textureMesh(const FaceWarpLayout& layout, double width, double height) 
   });
 }
 
-WarpMesh frontMesh(const FaceWarpLayout& layout, const FaceCurves& face, double pixelsPerMillimetre, const Eigen::Vector2d& corner,
-                   double width, double height) {
+WarpMesh frontMesh(const FaceWarpLayout& layout, const FaceCurves& face, double pixelsPerMillimetre,
+                   const Eigen::Vector2d& corner, double width, double height) {
   const Eigen::Vector2d origin(corner.x(), -corner.y());
-  return meshOf(layout, width, height, [&](const Place& place) -> Eigen::Vector2d { return pixelsPerMillimetre * (seen(face, place) - origin); });
+  return meshOf(layout, width, height, [&](const Place& place) -> Eigen::Vector2d {
+    return pixelsPerMillimetre * (seen(face, place) - origin);
+  });
 }
 
-std::string photographMesh(const FaceWarpLayout& layout, const FaceCurves& face, const ImageLandmarks& landmarks, double width,
-                           double height, WarpMesh& mesh) {
+std::string photographMesh(const FaceWarpLayout& layout, const FaceCurves& face, const ImageLandmarks& landmarks,
+                           double width, double height, WarpMesh& mesh) {
   SmoothWarp::Points from, to;
   const std::string fault = fit(face, landmarks, from, to);
   if (!fault.empty()) return fault;
   const SmoothWarp bend(from, to);
   if (!bend.sound()) return "the landmarks lie on a line; give those of a face";
-  const WarpMesh made = meshOf(layout, width, height, [&](const Place& place) { return Eigen::Vector2d(bend(seen(face, place))); });
+  const WarpMesh made =
+      meshOf(layout, width, height, [&](const Place& place) { return Eigen::Vector2d(bend(seen(face, place))); });
   const std::string fold = describeFault(made, "the mesh that these landmarks give");
   if (fold.empty()) mesh = made;
   return fold;

@@ -1,11 +1,11 @@
 #include "ImageLandmarks.h"
 
+#include <algorithm>
+#include <vector>
+
 #include "CommaText.h"
 #include "LineReader.h"
 #include "NumberText.h"
-
-#include <algorithm>
-#include <vector>
 
 namespace mien {
 
@@ -45,7 +45,8 @@ std::string parseImageLandmarks(const std::string& text, ImageLandmarks& landmar
   LineReader lines(text);
   Columns columns;
   ImageLandmarks parsed;
-  std::string fault = lines.next() ? columns.find(splitAtCommas(lines.line())) : "the file is empty; give a header and landmarks";
+  std::string fault =
+      lines.next() ? columns.find(splitAtCommas(lines.line())) : "the file is empty; give a header and landmarks";
   while (fault.empty() && lines.next()) fault = addRow(splitAtCommas(lines.line()), columns, parsed);
   if (fault.empty() && parsed.empty()) fault = "there are no landmarks after this line";
   if (!fault.empty()) return std::to_string(std::max(1, lines.number())) + ": " + fault;

@@ -1,9 +1,9 @@
 #include "LandmarkPlaces.h"
 
-#include "FaceLayout.h"
-
 #include <array>
 #include <cmath>
+
+#include "FaceLayout.h"
 
 namespace mien {
 
@@ -43,9 +43,12 @@ constexpr std::array<JawMark, 8> jawMarks = {{{0, 16, "C10", 108.0},
                                               {6, 10, "C28", 54.0},
                                               {7, 9, "C28", 27.0}}};
 
-std::string missing(const std::string& name) { return "landmark " + name + " is missing"; }
+std::string missing(const std::string& name) {
+  return "landmark " + name + " is missing";
+}
 
-std::string addMean(const FacePlace& place, const NamedMark& mark, const ImageLandmarks& landmarks, std::vector<PlacePair>& pairs) {
+std::string addMean(const FacePlace& place, const NamedMark& mark, const ImageLandmarks& landmarks,
+                    std::vector<PlacePair>& pairs) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   int count = 0;
   for (const int landmark : mark.landmarks) {
@@ -59,7 +62,9 @@ std::string addMean(const FacePlace& place, const NamedMark& mark, const ImageLa
   return {};
 }
 
-std::string lacks(const char* place) { return std::string("the face lacks the feature point at ") + place; }
+std::string lacks(const char* place) {
+  return std::string("the face lacks the feature point at ") + place;
+}
 
 bool between(const FaceCurves& face, const char* first, const char* second, FacePlace& place) {
   const FeaturePoint *a = face.feature(first), *b = face.feature(second);
@@ -98,7 +103,8 @@ std::string pairByNumber(const FaceCurves& face, const ImageLandmarks& landmarks
   for (const JawMark& mark : jawMarks)
     for (const int landmark : {mark.right, mark.left}) {
       const double side = landmark == mark.right ? -1.0 : 1.0;
-      const FacePlace place = {"", static_cast<double>(FaceLayout::curveIndex(mark.curve)), M_PI * (1.0 + side * mark.degrees / 180.0)};
+      const FacePlace place = {"", static_cast<double>(FaceLayout::curveIndex(mark.curve)),
+                               M_PI * (1.0 + side * mark.degrees / 180.0)};
       const std::string fault = addMean(place, {"", {landmark, -1, -1}}, landmarks, pairs);
       if (!fault.empty()) return fault;
     }

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "FaceCurves.h"
-#include "ImageLandmarks.h"
-
 #include <Eigen/Core>
-
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "FaceCurves.h"
+#include "ImageLandmarks.h"
 
 namespace mien {
 
@@ -18,8 +17,9 @@ struct FacePlace {
   double v = 0.0;      ///< radians
 };
 
-/// The place of an MPEG-4 feature point by its name, or of one that MPEG-4 has not: brow_middle (C6) and nose_bridge (C9) on the
-/// midline, lower_lip_right and lower_lip_left (C23, halfway in v between 8.8 and 8.4, 8.7 and 8.3). Eye corners lie between the lids.
+/// The place of an MPEG-4 feature point by its name, or of one that MPEG-4 has not: brow_middle (C6) and nose_bridge
+/// (C9) on the midline, lower_lip_right and lower_lip_left (C23, halfway in v between 8.8 and 8.4, 8.7 and 8.3). Eye
+/// corners lie between the lids.
 /// @return false when the face lacks it
 bool placeNamed(const FaceCurves& face, const std::string& name, FacePlace& place);
 

@@ -5,7 +5,8 @@
 
 namespace mien {
 
-/// The lines of a comma-separated text that say something: neither empty nor comments (#). A byte order mark is skipped.
+/// The lines of a comma-separated text that say something: neither empty nor comments (#). A byte order mark is
+/// skipped.
 class LineReader {
  public:
   /// The text must outlive the reader.

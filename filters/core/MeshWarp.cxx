@@ -1,8 +1,8 @@
 #include "MeshWarp.h"
 
-#include "MonotoneWalk.h"
-
 #include <utility>
+
+#include "MonotoneWalk.h"
 
 namespace mien {
 
@@ -34,8 +34,8 @@ std::string describeCrossing(const Knots& knots, const std::string& name, const 
   for (Eigen::Index i = 0; i < knots.rows(); ++i)
     for (Eigen::Index j = 1; j < knots.cols(); ++j)
       if (!(knots(i, j) > knots(i, j - 1)))
-        return name + " is folded: " + words.line + " " + std::to_string(j) + " and " + std::to_string(j + 1) + " cross at " +
-               words.axis + " = " + std::to_string(i) + " pixels";
+        return name + " is folded: " + words.line + " " + std::to_string(j) + " and " + std::to_string(j + 1) +
+               " cross at " + words.axis + " = " + std::to_string(i) + " pixels";
   return {};
 }
 

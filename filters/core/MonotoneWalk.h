@@ -4,10 +4,10 @@
 
 namespace mien {
 
-/// A C1 function through knots that never leaves the range of its two neighbouring knots (Fritsch and Carlson 1980, with the harmonic
-/// mean of Brodlie), read at ascending places an equal step of 1 apart: no search, no memory of its own. Its ends have the slope of
-/// the first and last chord, so that knots on a line give that line; beyond them it is constant.
-/// MonotoneInterpolant is the same for single places, and flat at its ends.
+/// A C1 function through knots that never leaves the range of its two neighbouring knots (Fritsch and Carlson 1980,
+/// with the harmonic mean of Brodlie), read at ascending places an equal step of 1 apart: no search, no memory of its
+/// own. Its ends have the slope of the first and last chord, so that knots on a line give that line; beyond them it is
+/// constant. MonotoneInterpolant is the same for single places, and flat at its ends.
 class MonotoneWalk {
  public:
   /// @param from  ascending, `count` of them, `stride` apart; both must outlive the walk

@@ -5,9 +5,9 @@
 
 namespace mien {
 
-/// A line of pixels as the function whose mean over each pixel is that pixel's value: a parabola per pixel, continuous where pixels
-/// meet. Its mean over any stretch is exact coverage where many pixels make one, and smooth where one makes many; over a pixel
-/// itself it is that pixel again. Beyond its ends the line repeats its first and last pixel.
+/// A line of pixels as the function whose mean over each pixel is that pixel's value: a parabola per pixel, continuous
+/// where pixels meet. Its mean over any stretch is exact coverage where many pixels make one, and smooth where one
+/// makes many; over a pixel itself it is that pixel again. Beyond its ends the line repeats its first and last pixel.
 ///
 /// Pixels have `channels` values each, stored together; Value is float or double.
 template <typename Value>
@@ -28,7 +28,9 @@ class PixelLine {
 
   /// The loops over channels are unrolled for pictures of the usual kinds; 0: any number.
   template <int Fixed>
-  int channels() const { return Fixed > 0 ? Fixed : channels_; }
+  int channels() const {
+    return Fixed > 0 ? Fixed : channels_;
+  }
 
   template <int Fixed>
   void run(const double* borders, int stretches, Value* result) const {
@@ -36,7 +38,9 @@ class PixelLine {
   }
 
   int pixelAt(double x) const { return static_cast<int>(std::clamp(x, 0.0, count_ - 1.0)); }
-  const Value* pixel(int i) const { return pixels_ + static_cast<std::ptrdiff_t>(std::clamp(i, 0, count_ - 1)) * channels_; }
+  const Value* pixel(int i) const {
+    return pixels_ + static_cast<std::ptrdiff_t>(std::clamp(i, 0, count_ - 1)) * channels_;
+  }
 
   /// The parabola of one pixel in one channel.
   struct Piece {
@@ -59,13 +63,16 @@ class PixelLine {
     end = std::clamp(end, 0.0, static_cast<double>(count_));
     if (end - begin < length) return point<Fixed>(0.5 * (begin + end), result);
     const int first = pixelAt(begin), last = pixelAt(end);
-    const Value from = static_cast<Value>(begin - first), to = static_cast<Value>(end - last), scale = static_cast<Value>(1.0 / length);
+    const Value from = static_cast<Value>(begin - first), to = static_cast<Value>(end - last),
+                scale = static_cast<Value>(1.0 / length);
     const Value *before = pixel(first - 1), *here = pixel(first), *after = pixel(first + 1);
     for (int c = 0; c < channels<Fixed>(); ++c) result[c] = -Piece(before[c], here[c], after[c]).integral(from);
     for (int i = first; i < last; ++i)
-      for (int c = 0; c < channels<Fixed>(); ++c) result[c] += pixels_[static_cast<std::ptrdiff_t>(i) * channels<Fixed>() + c];
+      for (int c = 0; c < channels<Fixed>(); ++c)
+        result[c] += pixels_[static_cast<std::ptrdiff_t>(i) * channels<Fixed>() + c];
     before = pixel(last - 1), here = pixel(last), after = pixel(last + 1);
-    for (int c = 0; c < channels<Fixed>(); ++c) result[c] = (result[c] + Piece(before[c], here[c], after[c]).integral(to)) * scale;
+    for (int c = 0; c < channels<Fixed>(); ++c)
+      result[c] = (result[c] + Piece(before[c], here[c], after[c]).integral(to)) * scale;
   }
 
   template <int Fixed>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "MeshWarp.h"
-#include "PixelLine.h"
-
 #include <cstddef>
 #include <vector>
+
+#include "MeshWarp.h"
+#include "PixelLine.h"
 
 namespace mien {
 
@@ -13,10 +13,12 @@ struct PixelRange {
   int first = 0, count = 0;
 };
 
-/// Colours beside the mesh, where an image is wrapped around a head: from the colour at the mesh's right border, around the closing
-/// column, to that at its left border. Away from the border it is the mean over a part of the row within, which draws no streaks.
+/// Colours beside the mesh, where an image is wrapped around a head: from the colour at the mesh's right border, around
+/// the closing column, to that at its left border. Away from the border it is the mean over a part of the row within,
+/// which draws no streaks.
 template <typename Value>
-void closeRow(const MeshWarp& warp, int row, const PixelLine<Value>& line, int channels, PixelRange range, Value* warped) {
+void closeRow(const MeshWarp& warp, int row, const PixelLine<Value>& line, int channels, PixelRange range,
+              Value* warped) {
   constexpr double averaged = 0.02, goneOver = 0.08;  // of the mesh's width; of the way around
   const double left = warp.firstColumnAt(row), right = warp.lastColumnAt(row), width = warp.warpedSize().width;
   const double from = warp.firstSourceAt(row), to = warp.lastSourceAt(row), part = averaged * (to - from);
@@ -39,7 +41,8 @@ void closeRow(const MeshWarp& warp, int row, const PixelLine<Value>& line, int c
 
 /// First pass of MeshWarp: pixels range of the warped image's width from a row of the source. Value is float or double.
 template <typename Value>
-void warpRow(const MeshWarp& warp, int row, const Value* pixels, int channels, bool closed, PixelRange range, Value* warped) {
+void warpRow(const MeshWarp& warp, int row, const Value* pixels, int channels, bool closed, PixelRange range,
+             Value* warped) {
   thread_local std::vector<double> borders;
   borders.resize(range.count + 1);
   warp.rowBorders(row, range.first, range.count + 1, borders.data());

@@ -6,13 +6,15 @@ namespace mien {
 
 namespace {
 
-std::string pairFrom(int first) { return std::to_string(first) + " and " + std::to_string(first + 1); }
+std::string pairFrom(int first) {
+  return std::to_string(first) + " and " + std::to_string(first + 1);
+}
 
 std::string describeSides(const WarpMesh& mesh, const std::string& name) {
   const auto good = [](int n) { return n >= 2 && n <= WarpMesh::largestSide; };
   if (!good(mesh.rows()) || !good(mesh.columns()))
-    return name + " has " + std::to_string(mesh.rows()) + " x " + std::to_string(mesh.columns()) +
-           " points; 2 to " + std::to_string(WarpMesh::largestSide) + " rows and columns are allowed";
+    return name + " has " + std::to_string(mesh.rows()) + " x " + std::to_string(mesh.columns()) + " points; 2 to " +
+           std::to_string(WarpMesh::largestSide) + " rows and columns are allowed";
   if (!(mesh.width >= 1.0 && mesh.height >= 1.0) || !std::isfinite(mesh.width + mesh.height))
     return name + " does not say the size of its image";
   return {};
@@ -35,7 +37,10 @@ std::string describeFold(const WarpMesh& mesh, const std::string& name) {
 }  // namespace
 
 WarpMesh::WarpMesh(int rows, int columns, double imageWidth, double imageHeight)
-    : width(imageWidth), height(imageHeight), x(Coordinates::Zero(rows, columns)), y(Coordinates::Zero(rows, columns)) {}
+    : width(imageWidth),
+      height(imageHeight),
+      x(Coordinates::Zero(rows, columns)),
+      y(Coordinates::Zero(rows, columns)) {}
 
 bool WarpMesh::operator==(const WarpMesh& other) const {
   return rows() == other.rows() && columns() == other.columns() && width == other.width && height == other.height &&

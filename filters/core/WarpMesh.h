@@ -1,14 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
-
 #include <string>
 #include <vector>
 
 namespace mien {
 
-/// A mesh over an image: rows x columns points in pixels from the image's upper left corner, x to the right and y down; the
-/// middle of the first pixel is (0.5, 0.5). Rows run from left to right and columns from top to bottom [S 4.2].
+/// A mesh over an image: rows x columns points in pixels from the image's upper left corner, x to the right and y down;
+/// the middle of the first pixel is (0.5, 0.5). Rows run from left to right and columns from top to bottom [S 4.2].
 struct WarpMesh {
   static constexpr int largestSide = 256;  ///< rows or columns
 
@@ -33,8 +32,8 @@ WarpMesh evenMesh(int rows, int columns, double width, double height);
 /// The same mesh over the same image of another size.
 WarpMesh scaledMesh(const WarpMesh& mesh, double width, double height);
 
-/// One sentence that says what is wrong with the mesh `name` ("the source mesh"), or nothing. A mesh whose neighbouring rows or
-/// columns cross at a point is folded; crossings between points are found by MeshWarp.
+/// One sentence that says what is wrong with the mesh `name` ("the source mesh"), or nothing. A mesh whose neighbouring
+/// rows or columns cross at a point is folded; crossings between points are found by MeshWarp.
 std::string describeFault(const WarpMesh& mesh, const std::string& name);
 
 }  // namespace mien

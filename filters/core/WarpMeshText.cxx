@@ -1,14 +1,14 @@
 #include "WarpMeshText.h"
 
-#include "CommaText.h"
-#include "LineReader.h"
-#include "NumberText.h"
-
 #include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "CommaText.h"
+#include "LineReader.h"
+#include "NumberText.h"
 
 namespace mien {
 
@@ -22,13 +22,14 @@ constexpr double largestImage = 1e6;  // pixels along a side
 std::string parseHead(const Cells& cells, WarpMesh& mesh) {
   if (cells[0] != key) return std::string("this is no warp mesh; its first line must be ") + key + ",1,WIDTH,HEIGHT";
   if (cells.size() < 2 || cells[1] != std::to_string(warpMeshVersion))
-    return "this is a warp mesh of version " + inQuotes(cells.size() < 2 ? "" : cells[1]) + "; this program reads version " +
-           std::to_string(warpMeshVersion);
+    return "this is a warp mesh of version " + inQuotes(cells.size() < 2 ? "" : cells[1]) +
+           "; this program reads version " + std::to_string(warpMeshVersion);
   const auto size = [&](std::size_t i) { return i < cells.size() ? parseNumber(cells[i]).value_or(0.0) : 0.0; };
   mesh.width = size(2);
   mesh.height = size(3);
   const auto good = [](double side) { return side >= 1.0 && side <= largestImage; };
-  if (!good(mesh.width) || !good(mesh.height)) return "the size of the image is missing or no size; give WIDTH,HEIGHT in pixels";
+  if (!good(mesh.width) || !good(mesh.height))
+    return "the size of the image is missing or no size; give WIDTH,HEIGHT in pixels";
   return {};
 }
 
@@ -58,8 +59,8 @@ struct Points {
       return "there are " + std::to_string(cells.size()) + " cells under " + std::to_string(count) + " columns";
     const auto i = index(cells[row]), j = index(cells[column]);
     if (!i || !j)
-      return inQuotes(i ? cells[column] : cells[row]) + " is no " + (i ? "column" : "row") + " of a mesh; they count from 1 to " +
-             std::to_string(WarpMesh::largestSide);
+      return inQuotes(i ? cells[column] : cells[row]) + " is no " + (i ? "column" : "row") +
+             " of a mesh; they count from 1 to " + std::to_string(WarpMesh::largestSide);
     const auto px = parseNumber(cells[x]), py = parseNumber(cells[y]);
     if (!px || !py) return inQuotes(px ? cells[y] : cells[x]) + " is no finite number; give pixels";
     if (!points.emplace(std::pair(*i, *j), Point{*px, *py, name < 0 ? "" : cells[name]}).second)
@@ -75,7 +76,8 @@ struct Points {
 
   std::string fill(WarpMesh& mesh) const {
     int rows = 0, columns = 0;
-    for (const auto& [place, point] : points) rows = std::max(rows, place.first), columns = std::max(columns, place.second);
+    for (const auto& [place, point] : points)
+      rows = std::max(rows, place.first), columns = std::max(columns, place.second);
     WarpMesh filled(rows, columns, mesh.width, mesh.height);
     for (int i = 1; i <= rows; ++i)
       for (int j = 1; j <= columns; ++j) {
@@ -98,8 +100,10 @@ std::string parseWarpMesh(const std::string& text, WarpMesh& mesh) {
   LineReader lines(text);
   WarpMesh parsed;
   Points points;
-  std::string fault = lines.next() ? parseHead(splitAtCommas(lines.line()), parsed) : "the file is empty; give a warp mesh";
-  if (fault.empty()) fault = lines.next() ? points.setHeader(splitAtCommas(lines.line())) : "there are no points after this line";
+  std::string fault =
+      lines.next() ? parseHead(splitAtCommas(lines.line()), parsed) : "the file is empty; give a warp mesh";
+  if (fault.empty())
+    fault = lines.next() ? points.setHeader(splitAtCommas(lines.line())) : "there are no points after this line";
   while (fault.empty() && lines.next()) fault = points.add(splitAtCommas(lines.line()));
   if (fault.empty()) fault = points.fill(parsed);
   if (!fault.empty()) return std::to_string(std::max(1, lines.number())) + ": " + fault;

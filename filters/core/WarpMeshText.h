@@ -1,8 +1,8 @@
 #pragma once
 
-#include "WarpMesh.h"
-
 #include <string>
+
+#include "WarpMesh.h"
 
 namespace mien {
 

@@ -1,10 +1,13 @@
 #include "FaceTexture.h"
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
 #include "FaceWarpLayout.h"
 #include "ImageFile.h"
 #include "PipelineErrors.h"
 #include "WarpMeshData.h"
-
 #include "vtkDataArray.h"
 #include "vtkFaceWarpMeshFilter.h"
 #include "vtkImageData.h"
@@ -15,10 +18,6 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWarpMeshReader.h"
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 
 namespace mien {
 
@@ -37,7 +36,8 @@ void makeColours(vtkImageData* image) {
     for (int c = 0; c < colours; ++c) {
       const int component = components >= 3 ? c : (c == 3 ? 1 : 0);
       const double value = scale * from->GetComponent(i, component);
-      to->SetTypedComponent(i, c, static_cast<unsigned char>(std::clamp(std::isfinite(value) ? value : 0.0, 0.0, 255.0) + 0.5));
+      to->SetTypedComponent(
+          i, c, static_cast<unsigned char>(std::clamp(std::isfinite(value) ? value : 0.0, 0.0, 255.0) + 0.5));
     }
   image->GetPointData()->SetScalars(to);
 }
@@ -57,7 +57,9 @@ std::string readMesh(vtkWarpMeshReader* reader, const std::string& file, FaceWar
 
 }  // namespace
 
-std::string meshBeside(const std::string& imageFile) { return std::filesystem::path(imageFile).replace_extension(".csv").string(); }
+std::string meshBeside(const std::string& imageFile) {
+  return std::filesystem::path(imageFile).replace_extension(".csv").string();
+}
 
 std::string makeFaceTexture(const FaceState& state, vtkPolyData* curves, vtkImageData* texture) {
   vtkNew<vtkImageData> photograph;

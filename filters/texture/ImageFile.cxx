@@ -1,7 +1,15 @@
 #include "ImageFile.h"
 
-#include "PipelineErrors.h"
+#include <png.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+#include "PipelineErrors.h"
 #include "vtkImageData.h"
 #include "vtkImageFlip.h"
 #include "vtkImageReader2.h"
@@ -11,14 +19,6 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTIFFReader.h"
-
-#include <algorithm>
-#include <cctype>
-#include <cstdint>
-#include <filesystem>
-#include <png.h>
-#include <system_error>
-#include <vector>
 
 namespace mien {
 
@@ -66,7 +66,8 @@ std::string describePNGFault(const std::string& name, std::int64_t bytes) {
   return fault.empty() && !sound ? damaged : fault;
 }
 
-std::string describeHeadFault(vtkImageReader2* reader, const std::string& name, std::int64_t bytes, const PipelineErrors& errors) {
+std::string describeHeadFault(vtkImageReader2* reader, const std::string& name, std::int64_t bytes,
+                              const PipelineErrors& errors) {
   if (reader->CanReadFile(name.c_str()) == 0) return "it is no picture of the kind that its ending says";
   const std::string fault = reader->IsA("vtkPNGReader") ? describePNGFault(name, bytes) : "";
   if (!fault.empty()) return fault;
@@ -89,7 +90,8 @@ std::string read(const std::string& name, vtkImageData* image) {
   if (!fault.empty()) return fault;
   reader->Update();
   vtkImageData* read = reader->GetOutput();
-  if (!errors.first().empty() || reader->GetErrorCode() != 0 || read->GetNumberOfPoints() == 0 || !read->GetPointData()->GetScalars())
+  if (!errors.first().empty() || reader->GetErrorCode() != 0 || read->GetNumberOfPoints() == 0 ||
+      !read->GetPointData()->GetScalars())
     return damaged;
   vtkNew<vtkImageFlip> upright;
   upright->SetInputData(read);

@@ -1,18 +1,17 @@
 #include "ImageWarp.h"
 
-#include "WarpLines.h"
-
-#include "vtkAlgorithm.h"
-#include "vtkDataArray.h"
-#include "vtkImageData.h"
-#include "vtkPointData.h"
-#include "vtkSMPTools.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <type_traits>
+
+#include "WarpLines.h"
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
 
 namespace mien {
 
@@ -43,8 +42,12 @@ class Passes {
 
  public:
   Passes(const MeshWarp& warp, vtkImageData* image, bool closed, vtkAlgorithm* algorithm, vtkImageData* output)
-      : warp_(warp), closed_(closed), algorithm_(algorithm), channels_(image->GetNumberOfScalarComponents()),
-        source_(static_cast<const Scalar*>(image->GetScalarPointer())), output_(static_cast<Scalar*>(output->GetScalarPointer())) {
+      : warp_(warp),
+        closed_(closed),
+        algorithm_(algorithm),
+        channels_(image->GetNumberOfScalarComponents()),
+        source_(static_cast<const Scalar*>(image->GetScalarPointer())),
+        output_(static_cast<Scalar*>(output->GetScalarPointer())) {
     const int* extent = output->GetExtent();
     columns_ = {extent[0], extent[1] - extent[0] + 1};
     // Rows count from the top, those of VTK from the bottom.
@@ -65,11 +68,13 @@ class Passes {
 
   template <typename Work>
   bool inSlabs(int lines, vtkIdType valuesPerLine, int grain, double progress, const Work& work) const {
-    const int perSlab = static_cast<int>(std::clamp<vtkIdType>(valuesPerSlab / valuesPerLine, 4 * grain, lines + grain));
+    const int perSlab =
+        static_cast<int>(std::clamp<vtkIdType>(valuesPerSlab / valuesPerLine, 4 * grain, lines + grain));
     for (int begin = 0; begin < lines; begin += perSlab) {
       if (algorithm_->GetAbortExecute()) return false;
       const int end = std::min(lines, begin + perSlab);
-      vtkSMPTools::For(begin, end, grain, [&](vtkIdType first, vtkIdType last) { work(static_cast<int>(first), static_cast<int>(last)); });
+      vtkSMPTools::For(begin, end, grain,
+                       [&](vtkIdType first, vtkIdType last) { work(static_cast<int>(first), static_cast<int>(last)); });
       algorithm_->UpdateProgress(progress + 0.5 * end / lines);
     }
     return !algorithm_->GetAbortExecute();
@@ -94,7 +99,8 @@ class Passes {
       const int count = std::min(columnsPerTask, last - begin);
       gather(begin, count, lines.get());
       for (int i = 0; i < count; ++i)
-        warpColumn(warp_, columns_.first + begin + i, lines.get() + i * from, channels_, rows_, lines.get() + columnsPerTask * from + i * to);
+        warpColumn(warp_, columns_.first + begin + i, lines.get() + i * from, channels_, rows_,
+                   lines.get() + columnsPerTask * from + i * to);
       scatter(begin, count, lines.get() + columnsPerTask * from);
     }
   }
@@ -104,7 +110,8 @@ class Passes {
     for (int row = 0; row < height; ++row) {
       const Value* from = between_.get() + row * rowLength() + static_cast<std::size_t>(begin) * channels_;
       for (int i = 0; i < count; ++i)
-        for (int c = 0; c < channels_; ++c) lines[(static_cast<std::size_t>(i) * height + row) * channels_ + c] = *from++;
+        for (int c = 0; c < channels_; ++c)
+          lines[(static_cast<std::size_t>(i) * height + row) * channels_ + c] = *from++;
     }
   }
 
@@ -131,7 +138,8 @@ class Passes {
 
 bool warpImage(const MeshWarp& warp, vtkImageData* image, bool closed, vtkAlgorithm* algorithm, vtkImageData* output) {
   output->AllocateScalars(image->GetScalarType(), image->GetNumberOfScalarComponents());
-  if (const char* name = image->GetPointData()->GetScalars()->GetName()) output->GetPointData()->GetScalars()->SetName(name);
+  if (const char* name = image->GetPointData()->GetScalars()->GetName())
+    output->GetPointData()->GetScalars()->SetName(name);
   switch (image->GetScalarType()) {
     vtkTemplateMacro(return Passes<VTK_TT>(warp, image, closed, algorithm, output).run());
     default:

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "MienTextureModule.h"
-
 #include <string>
+
+#include "MienTextureModule.h"
 
 namespace mien {
 

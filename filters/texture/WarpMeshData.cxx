@@ -1,5 +1,7 @@
 #include "WarpMeshData.h"
 
+#include <algorithm>
+
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -7,8 +9,6 @@
 #include "vtkPoints.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
-
-#include <algorithm>
 
 namespace mien {
 

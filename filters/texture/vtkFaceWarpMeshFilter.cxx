@@ -4,7 +4,6 @@
 #include "FaceWarpLayout.h"
 #include "SurfaceMesh.h"
 #include "WarpMeshData.h"
-
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -38,12 +37,14 @@ int vtkFaceWarpMeshFilter::RequestData(vtkInformation*, vtkInformationVector** i
   mien::FaceWarpLayout layout;
   std::string fault = mien::readFaceCurves(vtkPolyData::GetData(inputs[0]), face);
   if (fault.empty()) fault = layout.set(this->Fine ? Kind::Fine : Kind::SevenBySeven, face);
-  if (fault.empty() && (this->TextureSize[0] < 1 || this->TextureSize[1] < 1)) fault = "the texture has no size; set one from 1 x 1 up";
+  if (fault.empty() && (this->TextureSize[0] < 1 || this->TextureSize[1] < 1))
+    fault = "the texture has no size; set one from 1 x 1 up";
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
-  mien::writeWarpMesh(mien::textureMesh(layout, this->TextureSize[0], this->TextureSize[1]), vtkStructuredGrid::GetData(outputs));
+  mien::writeWarpMesh(mien::textureMesh(layout, this->TextureSize[0], this->TextureSize[1]),
+                      vtkStructuredGrid::GetData(outputs));
   return 1;
 }
 

@@ -2,9 +2,10 @@
  * @class vtkFaceWarpMeshFilter
  * @brief where a face's features lie in its texture: the target mesh of a warp [S 4.2, Figure 3 c, d]
  *
- * Input: boundary curves as described in BoundaryCurveData.h, with feature points. Output: vtkStructuredGrid as described in WarpMeshData.h,
- * points at (v / 2 pi, u) of the width and height of the texture, which `TextureCoordinates` of the surface then address. The places are those
- * of FaceWarpLayout. Errors: curves that are no face, or lack a feature point.
+ * Input: boundary curves as described in BoundaryCurveData.h, with feature points. Output: vtkStructuredGrid as
+ * described in WarpMeshData.h, points at (v / 2 pi, u) of the width and height of the texture, which
+ * `TextureCoordinates` of the surface then address. The places are those of FaceWarpLayout. Errors: curves that are no
+ * face, or lack a feature point.
  * @sa vtkImageMeshWarpFilter vtkPDEFaceFilter
  */
 #ifndef vtkFaceWarpMeshFilter_h

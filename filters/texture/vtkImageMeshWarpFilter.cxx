@@ -3,7 +3,6 @@
 #include "ImageWarp.h"
 #include "SurfaceMesh.h"
 #include "WarpMeshData.h"
-
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -21,34 +20,45 @@ namespace {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 std::string describeImageFault(vtkImageData* image) {
-  if (!image->GetPointData()->GetScalars() || image->GetNumberOfPoints() == 0) return "the image has no scalars to warp";
+  if (!image->GetPointData()->GetScalars() || image->GetNumberOfPoints() == 0)
+    return "the image has no scalars to warp";
   if (image->GetScalarType() == VTK_BIT) return "the image has single bits; give it numbers (vtkImageCast)";
   if (image->GetDimensions()[2] != 1) return "the image has several slices; extract one";
   return {};
 }
 
-bool isGood(int side) { return side >= 1 && side <= vtkImageMeshWarpFilter::LargestSide; }
+bool isGood(int side) {
+  return side >= 1 && side <= vtkImageMeshWarpFilter::LargestSide;
+}
 
 }  // namespace
 
-vtkImageMeshWarpFilter::vtkImageMeshWarpFilter() { this->SetNumberOfInputPorts(3); }
+vtkImageMeshWarpFilter::vtkImageMeshWarpFilter() {
+  this->SetNumberOfInputPorts(3);
+}
 
-void vtkImageMeshWarpFilter::SetSourceMeshData(vtkStructuredGrid* mesh) { this->SetInputDataObject(1, mesh); }
+void vtkImageMeshWarpFilter::SetSourceMeshData(vtkStructuredGrid* mesh) {
+  this->SetInputDataObject(1, mesh);
+}
 
-void vtkImageMeshWarpFilter::SetTargetMeshData(vtkStructuredGrid* mesh) { this->SetInputDataObject(2, mesh); }
+void vtkImageMeshWarpFilter::SetTargetMeshData(vtkStructuredGrid* mesh) {
+  this->SetInputDataObject(2, mesh);
+}
 
 int vtkImageMeshWarpFilter::FillInputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkStructuredGrid");
   return 1;
 }
 
-int vtkImageMeshWarpFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkImageMeshWarpFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
+                                               vtkInformationVector* outputs) {
   int size[2] = {this->OutputSize[0], this->OutputSize[1]}, whole[6];
   inputs[0]->GetInformationObject(0)->Get(Pipeline::WHOLE_EXTENT(), whole);
   for (int axis = 0; axis < 2; ++axis)
     if (size[axis] == 0) size[axis] = whole[2 * axis + 1] - whole[2 * axis] + 1;
   if (!isGood(size[0]) || !isGood(size[1])) {
-    vtkErrorMacro(<< "an output of " << size[0] << " x " << size[1] << " pixels is not possible; 1 to " << LargestSide << " are allowed");
+    vtkErrorMacro(<< "an output of " << size[0] << " x " << size[1] << " pixels is not possible; 1 to " << LargestSide
+                  << " are allowed");
     return 0;
   }
   const int extent[6] = {0, size[0] - 1, 0, size[1] - 1, 0, 0};
@@ -76,7 +86,8 @@ int vtkImageMeshWarpFilter::RequestData(vtkInformation*, vtkInformationVector** 
   if (fault.empty()) fault = mien::readWarpMesh(vtkStructuredGrid::GetData(inputs[1]), source);
   if (fault.empty()) fault = mien::readWarpMesh(vtkStructuredGrid::GetData(inputs[2]), target);
   if (fault.empty())
-    fault = warp.set(source, target, {image->GetDimensions()[0], image->GetDimensions()[1]}, {whole[1] + 1, whole[3] + 1});
+    fault =
+        warp.set(source, target, {image->GetDimensions()[0], image->GetDimensions()[1]}, {whole[1] + 1, whole[3] + 1});
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;

@@ -2,13 +2,14 @@
  * @class vtkImageMeshWarpFilter
  * @brief warps an image so that the points of one mesh come to lie on those of another [S 4.2]
  *
- * Two-pass mesh warping (Wolberg, Digital Image Warping, 1990): rows, then columns, each resampled with the mean over what a pixel covers; a mesh
- * onto itself gives the image back. See MeshWarp and PixelLine.
+ * Two-pass mesh warping (Wolberg, Digital Image Warping, 1990): rows, then columns, each resampled with the mean over
+ * what a pixel covers; a mesh onto itself gives the image back. See MeshWarp and PixelLine.
  *
- * Input 0: vtkImageData of one slice, scalars of any type and number of components, each of which is warped alone. Inputs 1 and 2: the source
- * and the target mesh, vtkStructuredGrid as described in WarpMeshData.h, of the same size; both are scaled to the images they lie on.
- * Output: vtkImageData of the input's type, spacing 1 and origin 0. Any part of it can be asked for. Progress and abort are honoured.
- * Errors: no scalars, several slices, folded meshes, meshes of two sizes; the output is then empty.
+ * Input 0: vtkImageData of one slice, scalars of any type and number of components, each of which is warped alone.
+ * Inputs 1 and 2: the source and the target mesh, vtkStructuredGrid as described in WarpMeshData.h, of the same size;
+ * both are scaled to the images they lie on. Output: vtkImageData of the input's type, spacing 1 and origin 0. Any part
+ * of it can be asked for. Progress and abort are honoured. Errors: no scalars, several slices, folded meshes, meshes of
+ * two sizes; the output is then empty.
  * @sa vtkWarpMeshReader vtkFaceWarpMeshFilter
  */
 #ifndef vtkImageMeshWarpFilter_h
@@ -43,8 +44,9 @@ class MIENTEXTURE_EXPORT vtkImageMeshWarpFilter : public vtkImageAlgorithm {
 
   ///@{
   /**
-   * What lies to the left and right of the target mesh. Off: the colours at the mesh's border are repeated. On: they go over into each other around
-   * the closing column, as on a surface whose left and right border meet. Above and below it colours are always repeated. Default: off.
+   * What lies to the left and right of the target mesh. Off: the colours at the mesh's border are repeated. On: they go
+   * over into each other around the closing column, as on a surface whose left and right border meet. Above and below
+   * it colours are always repeated. Default: off.
    */
   vtkSetMacro(Closed, bool);
   vtkGetMacro(Closed, bool);

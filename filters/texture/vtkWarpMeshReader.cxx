@@ -3,7 +3,6 @@
 #include "TextFile.h"
 #include "WarpMeshData.h"
 #include "WarpMeshText.h"
-
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -25,9 +24,13 @@ std::string readFile(const char* name, mien::WarpMesh& mesh) {
 
 }  // namespace
 
-vtkWarpMeshReader::vtkWarpMeshReader() { this->SetNumberOfInputPorts(0); }
+vtkWarpMeshReader::vtkWarpMeshReader() {
+  this->SetNumberOfInputPorts(0);
+}
 
-vtkWarpMeshReader::~vtkWarpMeshReader() { this->SetFileName(nullptr); }
+vtkWarpMeshReader::~vtkWarpMeshReader() {
+  this->SetFileName(nullptr);
+}
 
 int vtkWarpMeshReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
   mien::WarpMesh mesh;

@@ -1,9 +1,9 @@
+#include <gtest/gtest.h>
+
 #include "FaceStateText.h"
 #include "PictureFile.h"
 #include "Program.h"
 #include "WarpMeshText.h"
-
-#include <gtest/gtest.h>
 
 namespace {
 
@@ -44,9 +44,11 @@ TEST(TextureCommand, AMeshOntoItselfGivesTheImage) {
   const auto before = readPicture(painted), after = readPicture(folder.file("same.png"));
   ASSERT_EQ(before->GetDimensions()[0], after->GetDimensions()[0]);
   double largest = 0.0;
-  for (int y = 120; y < before->GetDimensions()[1] - 60; ++y)  // within the mesh, which ends at the chin and before the ears
+  for (int y = 120; y < before->GetDimensions()[1] - 60;
+       ++y)  // within the mesh, which ends at the chin and before the ears
     for (int x = 130; x < before->GetDimensions()[0] - 130; ++x)
-      largest = std::max(largest, std::abs(before->GetScalarComponentAsDouble(x, y, 0, 0) - after->GetScalarComponentAsDouble(x, y, 0, 0)));
+      largest = std::max(largest, std::abs(before->GetScalarComponentAsDouble(x, y, 0, 0) -
+                                           after->GetScalarComponentAsDouble(x, y, 0, 0)));
   EXPECT_LE(largest, 1.0);
 }
 
@@ -56,10 +58,12 @@ TEST(TextureCommand, MakesMeshesFromLandmarks) {
   ASSERT_EQ(mien::parseWarpMesh(readTextFile(sevenBySeven), mesh), "");
   std::string text = "landmark,x,y\n";
   for (int i = 0; i < 49; ++i)
-    if (!mesh.names[i].empty()) text += mesh.names[i] + "," + std::to_string(mesh.x(i / 7, i % 7)) + "," + std::to_string(mesh.y(i / 7, i % 7)) + "\n";
+    if (!mesh.names[i].empty())
+      text += mesh.names[i] + "," + std::to_string(mesh.x(i / 7, i % 7)) + "," + std::to_string(mesh.y(i / 7, i % 7)) +
+              "\n";
   writeTextFile(folder.file("points.csv"), text);
-  run({"texture", painted, "--landmarks", folder.file("points.csv"), "--mesh", "7x7", "--save-source", folder.file("a.csv"), "--save-target",
-       folder.file("b.csv")});
+  run({"texture", painted, "--landmarks", folder.file("points.csv"), "--mesh", "7x7", "--save-source",
+       folder.file("a.csv"), "--save-target", folder.file("b.csv")});
   mien::WarpMesh made;
   ASSERT_EQ(mien::parseWarpMesh(readTextFile(folder.file("a.csv")), made), "");
   EXPECT_LT((made.x - mesh.x).cwiseAbs().maxCoeff() + (made.y - mesh.y).cwiseAbs().maxCoeff(), 1e-3);
@@ -70,7 +74,8 @@ TEST(TextureCommand, MakesMeshesFromLandmarks) {
 
 TEST(TextureCommand, WrongFilesAndValuesAreRefused) {
   const TemporaryFolder folder;
-  const std::string output = folder.file("x.png"), folded = MIEN_TEST_DIR "/data/malformed/warp_mesh/line6_folded_columns.csv";
+  const std::string output = folder.file("x.png"),
+                    folded = MIEN_TEST_DIR "/data/malformed/warp_mesh/line6_folded_columns.csv";
   writeTextFile(folder.file("cut.png"), readTextFile(painted).substr(0, 9000));
   const auto expect = [&](std::vector<std::string> arguments, int code, const std::string& part) {
     arguments.insert(arguments.begin(), "texture");
@@ -79,7 +84,8 @@ TEST(TextureCommand, WrongFilesAndValuesAreRefused) {
     EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
     EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
   };
-  expect({painted, "--source", folded, "-o", output}, 1, folded + ":6: the mesh is folded: columns 1 and 2 cross in row 2");
+  expect({painted, "--source", folded, "-o", output}, 1,
+         folded + ":6: the mesh is folded: columns 1 and 2 cross in row 2");
   expect({folder.file("cut.png"), "--source", sevenBySeven, "-o", output}, 1, "cut.png: it is damaged or cut off");
   expect({folder.file("none.png"), "--source", sevenBySeven, "-o", output}, 1, "none.png: it cannot be opened");
   expect({folder.file("cut.png"), "-o", output}, 2, "cut.csv");

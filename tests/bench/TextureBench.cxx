@@ -1,18 +1,17 @@
 /// A warp of 4096 x 4096 pixels, beside memcpy of the image and a transform of it by vtkImageReslice in the same run.
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+#include <vector>
+
 #include "TestImages.h"
 #include "WarpMeshData.h"
 #include "vtkImageMeshWarpFilter.h"
-
 #include "vtkImageReslice.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTransform.h"
-
-#include <benchmark/benchmark.h>
-
-#include <cstring>
-#include <vector>
 
 using namespace mien;
 

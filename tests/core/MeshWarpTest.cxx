@@ -1,9 +1,9 @@
-#include "MeshWarp.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
+
+#include "MeshWarp.h"
 
 using namespace mien;
 

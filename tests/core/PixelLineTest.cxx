@@ -1,10 +1,10 @@
-#include "PixelLine.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 #include <vector>
+
+#include "PixelLine.h"
 
 using mien::PixelLine;
 
@@ -44,7 +44,9 @@ TEST(PixelLine, EnlargingALineOfSmoothPixelsIsSecondOrder) {
   std::vector<double> errors;
   for (const int count : {20, 40}) {
     const double h = 1.0 / count;
-    const auto exact = [&](double a, double b) { return (std::cos(3.0 * a * h) - std::cos(3.0 * b * h)) / (3.0 * h * (b - a)); };
+    const auto exact = [&](double a, double b) {
+      return (std::cos(3.0 * a * h) - std::cos(3.0 * b * h)) / (3.0 * h * (b - a));
+    };
     std::vector<double> pixels;
     for (int i = 0; i < count; ++i) pixels.push_back(exact(i, i + 1.0));
     double largest = 0.0;

@@ -1,20 +1,22 @@
-#include "ImageLandmarks.h"
-#include "TextFile.h"
-#include "WarpMeshText.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <functional>
+
+#include "ImageLandmarks.h"
+#include "TextFile.h"
+#include "WarpMeshText.h"
 
 using namespace mien;
 
 namespace {
 
 /// The files are called lineN_what.csv, N being the line that must be named.
-void expectRefusals(const std::string& folder, int atLeast, const std::function<std::string(const std::string&)>& parse) {
+void expectRefusals(const std::string& folder, int atLeast,
+                    const std::function<std::string(const std::string&)>& parse) {
   int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(MIEN_TEST_DIR "/data/malformed/") + folder)) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(MIEN_TEST_DIR "/data/malformed/") + folder)) {
     const std::string name = entry.path().filename().string();
     const std::string fault = parse(readTextFile(entry.path().string()));
     const std::string line = name.substr(4, name.find('_') - 4) + ": ";
@@ -41,7 +43,11 @@ TEST(WarpMeshText, WhatIsWrittenIsReadBackExactly) {
 
 TEST(WarpMeshText, ColumnsAndPointsMayStandInAnyOrder) {
   WarpMesh read;
-  ASSERT_EQ(parseWarpMesh("\xEF\xBB\xBF# a comment\nmien_warp_mesh,1,10,20\ny,x,column,row\r\n20,10,2,2\n20,0,1,2\n\n0,0,1,1\n0,10,2,1\n", read), "");
+  ASSERT_EQ(
+      parseWarpMesh("\xEF\xBB\xBF# a "
+                    "comment\nmien_warp_mesh,1,10,20\ny,x,column,row\r\n20,10,2,2\n20,0,1,2\n\n0,0,1,1\n0,10,2,1\n",
+                    read),
+      "");
   EXPECT_EQ(read, evenMesh(2, 2, 10, 20));
 }
 

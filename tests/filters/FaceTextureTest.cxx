@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "FaceFiles.h"
 #include "FaceTexture.h"
 #include "FaceWarpLayout.h"
@@ -7,15 +9,12 @@
 #include "TextFile.h"
 #include "WarpMeshData.h"
 #include "WarpMeshText.h"
-#include "vtkFaceWarpMeshFilter.h"
-
 #include "vtkBoundaryCurveReader.h"
+#include "vtkFaceWarpMeshFilter.h"
 #include "vtkJPEGWriter.h"
 #include "vtkPNGWriter.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTIFFWriter.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 
@@ -57,7 +56,8 @@ void write(vtkImageData* image, const std::string& file) {
 
 double colour(vtkImageData* image, double share, double down, int c) {
   const int* size = image->GetDimensions();
-  return image->GetScalarComponentAsDouble(static_cast<int>(share * size[0]), size[1] - 1 - static_cast<int>(down * size[1]), 0, c);
+  return image->GetScalarComponentAsDouble(static_cast<int>(share * size[0]),
+                                           size[1] - 1 - static_cast<int>(down * size[1]), 0, c);
 }
 
 }  // namespace
@@ -89,7 +89,8 @@ TEST(FaceWarpLayout, TwentyFivePointsGiveTheirMesh) {
     const Photograph photograph(turn, 0.6);
     WarpMesh mesh;
     ASSERT_EQ(photographMesh(layoutOf(Kind::SevenBySeven), photograph.face, photograph.landmarks, 640, 840, mesh), "");
-    EXPECT_LT((mesh.x - photograph.places.x).cwiseAbs().maxCoeff(), 1e-6) << "an affine picture of the face is followed to its border";
+    EXPECT_LT((mesh.x - photograph.places.x).cwiseAbs().maxCoeff(), 1e-6)
+        << "an affine picture of the face is followed to its border";
     EXPECT_LT((mesh.y - photograph.places.y).cwiseAbs().maxCoeff(), 1e-6);
     ASSERT_EQ(photographMesh(layoutOf(Kind::Fine), photograph.face, photograph.landmarks, 640, 840, mesh), "");
   }
@@ -98,7 +99,9 @@ TEST(FaceWarpLayout, TwentyFivePointsGiveTheirMesh) {
 TEST(FaceWarpLayout, LandmarksThatAreMissingOrSwappedAreNamed) {
   Photograph photograph;
   WarpMesh mesh;
-  const auto fault = [&] { return photographMesh(layoutOf(Kind::SevenBySeven), photograph.face, photograph.landmarks, 640, 840, mesh); };
+  const auto fault = [&] {
+    return photographMesh(layoutOf(Kind::SevenBySeven), photograph.face, photograph.landmarks, 640, 840, mesh);
+  };
   std::swap(photograph.landmarks["8.1"], photograph.landmarks["9.12"]);
   EXPECT_NE(fault().find("folded: rows"), std::string::npos) << fault();
   photograph.landmarks.erase("8.1");
@@ -185,9 +188,13 @@ TEST(ImageFile, ReadsTheKindsOfPicturesUpright) {
     vtkNew<vtkImageData> read;
     ASSERT_EQ(readImageFile(folder.file(name), read), "") << name;
     ASSERT_EQ(read->GetDimensions()[1], 30) << name;
-    const double scale = read->GetScalarType() == VTK_FLOAT ? 255.0 : read->GetScalarType() == VTK_UNSIGNED_SHORT ? 1.0 / 257.0 : 1.0;
+    const double scale = read->GetScalarType() == VTK_FLOAT            ? 255.0
+                         : read->GetScalarType() == VTK_UNSIGNED_SHORT ? 1.0 / 257.0
+                                                                       : 1.0;
     for (const int y : {3, 25})
-      EXPECT_NEAR(scale * read->GetScalarComponentAsDouble(10, y, 0, 0), image->GetScalarComponentAsDouble(10, y, 0, 0), 8.0) << name << ", row " << y;
+      EXPECT_NEAR(scale * read->GetScalarComponentAsDouble(10, y, 0, 0), image->GetScalarComponentAsDouble(10, y, 0, 0),
+                  8.0)
+          << name << ", row " << y;
   }
 }
 
@@ -205,7 +212,8 @@ TEST(ImageFile, DamagedPicturesAreRefusedInOneSentence) {
     EXPECT_EQ(read->GetNumberOfPoints(), 0) << file;
   };
   for (const char* ending : {"png", "jpg", "tif"}) {
-    const std::string whole = readTextFile(folder.file(std::string("a.") + ending)), file = folder.file(std::string("b.") + ending);
+    const std::string whole = readTextFile(folder.file(std::string("a.") + ending)),
+                      file = folder.file(std::string("b.") + ending);
     for (const double share : {0.0, 0.02, 0.5, 0.9}) {
       writeTextFile(file, whole.substr(0, static_cast<std::size_t>(share * whole.size())));
       expectRefusal(file);

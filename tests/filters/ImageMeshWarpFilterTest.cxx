@@ -1,3 +1,8 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
 #include "ErrorCounter.h"
 #include "PipelineErrors.h"
 #include "TemporaryFolder.h"
@@ -5,19 +10,13 @@
 #include "TextFile.h"
 #include "WarpMeshData.h"
 #include "WarpMeshText.h"
-#include "vtkImageMeshWarpFilter.h"
-#include "vtkWarpMeshReader.h"
-
 #include "vtkCallbackCommand.h"
 #include "vtkExtractVOI.h"
+#include "vtkImageMeshWarpFilter.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
+#include "vtkWarpMeshReader.h"
 
 using namespace mien;
 
@@ -43,7 +42,9 @@ struct Warp {
   }
 };
 
-double at(vtkImageData* image, int x, int y, int c = 0) { return image->GetScalarComponentAsDouble(x, y, 0, c); }
+double at(vtkImageData* image, int x, int y, int c = 0) {
+  return image->GetScalarComponentAsDouble(x, y, 0, c);
+}
 
 /// Largest difference, and root mean square, of the part that is `margin` pixels within.
 std::pair<double, double> difference(vtkImageData* a, vtkImageData* b, int margin) {
@@ -67,7 +68,8 @@ vtkSmartPointer<vtkImageData> dotAt(double x, double y, int width, int height) {
   image->AllocateScalars(VTK_FLOAT, 1);
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i)
-      image->SetScalarComponentFromDouble(i, height - 1 - j, 0, 0, std::exp(-0.5 * (std::pow(i + 0.5 - x, 2) + std::pow(j + 0.5 - y, 2))));
+      image->SetScalarComponentFromDouble(i, height - 1 - j, 0, 0,
+                                          std::exp(-0.5 * (std::pow(i + 0.5 - x, 2) + std::pow(j + 0.5 - y, 2))));
   return image;
 }
 
@@ -88,8 +90,9 @@ Eigen::Vector2d peak(vtkImageData* image) {
 
 TEST(ImageMeshWarpFilter, IdentityGivesTheImageBackInEveryType) {
   const WarpMesh mesh = bentMesh(7, 7, 150, 110, 0.3, 1.0);
-  for (const auto& [type, range] : {std::pair(VTK_UNSIGNED_CHAR, 255.0), std::pair(VTK_UNSIGNED_SHORT, 65535.0), std::pair(VTK_SHORT, 30000.0),
-                                    std::pair(VTK_FLOAT, 1.0), std::pair(VTK_DOUBLE, 1.0)})
+  for (const auto& [type, range] :
+       {std::pair(VTK_UNSIGNED_CHAR, 255.0), std::pair(VTK_UNSIGNED_SHORT, 65535.0), std::pair(VTK_SHORT, 30000.0),
+        std::pair(VTK_FLOAT, 1.0), std::pair(VTK_DOUBLE, 1.0)})
     for (const int components : {1, 3, 4, 5}) {
       const auto image = wavyImage(150, 110, type, components, range);
       Warp warp(image, mesh, mesh);

@@ -1,7 +1,7 @@
-#include "ImageLandmarks.h"
-
 #include <cstdint>
 #include <cstdlib>
+
+#include "ImageLandmarks.h"
 
 using namespace mien;
 

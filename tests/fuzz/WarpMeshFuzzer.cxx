@@ -1,7 +1,7 @@
-#include "WarpMeshText.h"
-
 #include <cstdint>
 #include <cstdlib>
+
+#include "WarpMeshText.h"
 
 using namespace mien;
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "WarpMesh.h"
+#include <cmath>
 
+#include "WarpMesh.h"
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
-
-#include <cmath>
 
 /// A smooth picture of any type: every component a sum of waves of 40 and more pixels, in 0.1 .. 0.9 of `range`.
 inline vtkSmartPointer<vtkImageData> wavyImage(int width, int height, int type, int components, double range) {
