@@ -48,6 +48,12 @@ void FaceOptions::addAnimationOptions(CLI::App& command) {
   add("--time", time_, "Time in seconds")->needs(fap)->excludes(frame)->excludes(index);
   add("--expression", expression_, "Expressions with intensities 0 .. 1, such as joy:0.8 or joy:0.6,surprise:0.4");
   add("--set", set_, "FAP values, such as 53=200,54=200; they add to those of the file");
+  CLI::Option* fdt = add("--fdt", deformation_,
+                         "Facial deformation table, FILE.csv[:strength] or one that is compiled in: joy, sadness, anger, fear, "
+                         "disgust, surprise, smile");
+  command.add_flag("--fdt-hard", hardRegions_, "Every point follows the table's nearest region alone, as in the paper")
+      ->group("Animation")
+      ->needs(fdt);
   add("--fat", animationTable_, "What each FAP moves, TABLE.json [the table compiled in]");
 }
 
@@ -75,6 +81,7 @@ FaceState FaceOptions::state() const {
   fillFrame(state);
   fillExpressions(state);
   fillFAPValues(state);
+  fillDeformation(state);
   state.animationTable = animationTable_;
   fillTexture(state);
   return state;
@@ -153,6 +160,14 @@ void FaceOptions::fillTexture(FaceState& state) const {
   if (state.texture != paintedTexture) return;
   state.texture = findDataFile("textures/painted.png");
   if (state.texture.empty()) throw FileFailure("textures/painted.png: the texture that comes with Mien is not installed; give an IMAGE");
+}
+
+void FaceOptions::fillDeformation(FaceState& state) const {
+  const size_t colon = deformation_.rfind(':'), slash = deformation_.find_last_of("/\\");
+  const bool withStrength = colon != std::string::npos && (slash == std::string::npos || colon > slash);
+  state.deformation.table = deformation_.substr(0, withStrength ? colon : std::string::npos);
+  if (withStrength) state.deformation.strength = parseNumber("--fdt", deformation_.substr(colon + 1));
+  state.deformation.smooth = !hardRegions_;
 }
 
 void FaceOptions::apply(FacePipeline& pipeline) const {

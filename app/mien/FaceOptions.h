@@ -48,10 +48,14 @@ class FaceOptions {
   void fillExpressions(FaceState& state) const;
   void fillFAPValues(FaceState& state) const;
   void fillTexture(FaceState& state) const;
+  void fillDeformation(FaceState& state) const;
 
   int defaultRows_ = FaceState().rows, defaultColumns_ = FaceState().columns;
   std::string defaultFace_, face_, scheme_, smoothing_, harmonics_, resolution_, derivativeStrength_, precision_;
-  std::string fap_, frame_, index_, time_, expression_, set_, animationTable_, texture_, textureMesh_;
+  std::string fap_, frame_, index_, time_, expression_, set_, animationTable_;
+  std::string texture_, textureMesh_;
+  std::string deformation_;
+  bool hardRegions_ = false;
   bool noRemainder_ = false, uniformRows_ = false;
 };
 
