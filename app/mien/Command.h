@@ -22,6 +22,7 @@ void addSweepCommand(CLI::App& program);
 void addInfluenceCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
 void addVectorsCommand(CLI::App& program);
+void addTextureCommand(CLI::App& program);
 void addFatCommand(CLI::App& program);
 
 }  // namespace mien

@@ -33,6 +33,7 @@ void addCommands(CLI::App& program) {
   mien::addInfluenceCommand(program);
   mien::addCompareCommand(program);
   mien::addVectorsCommand(program);
+  mien::addTextureCommand(program);
   mien::addFatCommand(program);
 }
 

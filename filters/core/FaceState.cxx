@@ -19,7 +19,7 @@ std::string number(double value) {
 
 auto members(const FaceState& s) {
   return std::tie(s.curvesFile, s.surface, s.rows, s.columns, s.uniformRows, s.doublePrecision, s.fapFile, s.frameChoice,
-                  s.frame, s.interpolateFrames, s.animationTable, s.fapValues, s.expressions, s.deformation);
+                  s.frame, s.interpolateFrames, s.animationTable, s.fapValues, s.expressions, s.deformation, s.texture, s.textureMesh);
 }
 
 std::string describeFrameFault(const FaceState& state) {

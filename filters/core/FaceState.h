@@ -52,6 +52,9 @@ struct FaceState {
 
   FaceDeformation deformation;
 
+  std::string texture;      ///< photograph, .png .jpg .tif; empty: none
+  std::string textureMesh;  ///< .csv of the photograph's warp mesh; empty: beside the photograph under its name
+
   bool operator==(const FaceState& other) const;
   bool operator!=(const FaceState& other) const { return !(*this == other); }
 };

@@ -127,6 +127,13 @@ void readDeformation(const json& object, FaceState& state, std::string& fault) {
   members.refuseOthers();
 }
 
+void readTexture(const json& object, FaceState& state, std::string& fault) {
+  Members members(object, "texture", fault);
+  members.read("image", state.texture);
+  members.read("mesh", state.textureMesh);
+  members.refuseOthers();
+}
+
 void readFAPValues(const json& object, FaceState& state, std::string& fault) {
   Members members(object, "fap_values", fault);
   if (!object.is_object()) return;
@@ -160,7 +167,8 @@ void readAll(const json& object, FaceState& state, std::string& fault) {
                                                       {"animation", readAnimation},
                                                       {"expressions", readExpressions},
                                                       {"fap_values", readFAPValues},
-                                                      {"deformation", readDeformation}};
+                                                      {"deformation", readDeformation},
+                                                      {"texture", readTexture}};
   for (const auto& [key, read] : sections)
     if (const json* section = members.find(key)) read(*section, state, fault);
   members.refuseOthers();
@@ -203,6 +211,8 @@ std::string writeFaceState(const FaceState& state) {
     object["deformation"] = {{"table", state.deformation.table},
                              {"strength", state.deformation.strength},
                              {"smooth", state.deformation.smooth}};
+  if (!state.texture.empty()) object["texture"]["image"] = state.texture;
+  if (!state.textureMesh.empty()) object["texture"]["mesh"] = state.textureMesh;
   // Names of files may hold any bytes; what is no UTF-8 is replaced rather than thrown at.
   return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

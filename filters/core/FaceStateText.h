@@ -15,7 +15,8 @@ namespace mien {
 /// - `fap_values`: FAP number to FAP units;
 /// - `animation_table`: file name, left out for the table compiled in;
 /// - `expressions`: name to intensity (0 .. 1); left out without one;
-/// - `deformation`: `table` (name or file), `strength`, `smooth`; left out without a table.
+/// - `deformation`: `table` (name or file), `strength`, `smooth`; left out without a table;
+/// - `texture`: `image` (file name) and `mesh` (file name, left out for the one beside the image); left out without an image.
 /// Numbers are written so that they read back to the bit. A member left out has its default.
 constexpr int faceStateVersion = 2;
 

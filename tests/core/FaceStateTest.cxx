@@ -35,6 +35,8 @@ const std::vector<Change> changes = {
     [](FaceState& s) { s.deformation.table = "joy"; },
     [](FaceState& s) { s.deformation.strength = -0.1; },
     [](FaceState& s) { s.deformation.smooth = false; },
+    [](FaceState& s) { s.texture = "Bild ä.png"; },
+    [](FaceState& s) { s.textureMesh = "a mesh.csv"; },
 };
 
 std::string faultOf(const Change& change, int pointsPerCurve = 40) {
