@@ -15,14 +15,12 @@
 #include "DetailFigure.h"
 #include "FaceOptions.h"
 #include "Failure.h"
-#include "Interruption.h"
 #include "PipelineErrors.h"
-#include "ProgressLine.h"
 #include "ReportOptions.h"
 #include "TableRows.h"
+#include "WatchedUpdate.h"
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 #include "vtkBoundaryCurveReader.h"
-#include "vtkCallbackCommand.h"
 #include "vtkLevelOfDetailFilter.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -42,27 +40,7 @@ struct Options {
   ReportOptions report;
 };
 
-constexpr int progressSteps = 1000;
 constexpr long long gzipFrame = 12;  // bytes that gzip's header and trailer are longer than zlib's
-
-/// Shows how far the comparison is, and ends it after Ctrl-C.
-void watch(vtkObject* caller, unsigned long, void* line, void*) {
-  auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-  static_cast<ProgressLine*>(line)->show(static_cast<int>(progressSteps * algorithm->GetProgress()));
-  if (wasInterrupted()) algorithm->SetAbortExecute(1);
-}
-
-void updateWatched(vtkAlgorithm* filter) {
-  noteInterruptions();
-  ProgressLine line(progressSteps, "part");
-  vtkNew<vtkCallbackCommand> callback;
-  callback->SetCallback(watch);
-  callback->SetClientData(&line);
-  const unsigned long observer = filter->AddObserver(vtkCommand::ProgressEvent, callback);
-  filter->Update();
-  filter->RemoveObserver(observer);
-  if (wasInterrupted()) throw Stopped("stopped before the comparison was complete; nothing was written");
-}
 
 /// The scan, and its curves: from --face, or measured with the landmarks.
 class MeasuredScan {
@@ -227,7 +205,7 @@ void run(const Options& options) {
   filter->SetScanData(measured.scan());
   filter->SetParameters(state.surface);
   filter->SetTolerances(tolerances);
-  updateWatched(filter);
+  updateWatched(filter, "comparison");
   if (!errors.first().empty()) throw FileFailure(options.scan + ": " + errors.first());
   options.report.deliver(reportOf(options, filter->GetOutput(), k), "mien lod " + options.scan);
 }

@@ -16,6 +16,8 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,7 +30,7 @@ namespace
 {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-constexpr int faceRows = 224, faceColumns = 160; // of the faces that are measured: cells of about 1 mm
+constexpr int faceRows = 112, faceColumns = 80; // of the faces that are measured: cells of about 2 mm
 constexpr double skinDepth = 1.0;                // mm; deeper points of a scan are hidden behind its skin
 constexpr int fewestTriangles = 8;
 
@@ -160,7 +162,7 @@ public:
   bool measure()
   {
     const int k = face_.curves.pointsPerCurve;
-    const int faces = 1 + k / 2 + 1 + static_cast<int>(options_.tolerances.size());
+    const int faces = 1 + k / 2 + static_cast<int>(options_.tolerances.size());
     expected_ = 3 * faces + 1; // the meshes are two for each size
     addScan();
     return addFaces() && addMeshes();
@@ -222,7 +224,7 @@ private:
     const auto sizeOf = [&](int modes) { return static_cast<long long>(modeNumberCount(k, modes) * sizeof(float)); };
     if (!addFace("PDE face", "K = " + std::to_string(k), sizeOf(k / 2), face_.curves))
       return false;
-    for (int n = 0; n <= k / 2; ++n)
+    for (int n = 1; n <= k / 2; ++n)
       if (!addFace("modes", "N = " + std::to_string(n), sizeOf(n), firstModes(face_.curves, n)))
         return false;
     for (const double tolerance : options_.tolerances)
@@ -242,7 +244,7 @@ private:
       addFace("compact face", textOf(tolerance) + " mm", static_cast<long long>(bytes.size()), compact.face.curves);
   }
 
-  /// Bytes of all faces, largest first, each once.
+  /// Bytes of the faces, largest first; those that hardly differ once.
   std::vector<double> sizes() const
   {
     std::vector<double> bytes;
@@ -250,7 +252,7 @@ private:
       if (record.triangles == 0)
         bytes.push_back(static_cast<double>(record.bytes));
     std::sort(bytes.rbegin(), bytes.rend());
-    bytes.erase(std::unique(bytes.begin(), bytes.end()), bytes.end());
+    bytes.erase(std::unique(bytes.begin(), bytes.end(), [](double kept, double next) { return next > sizeShare * kept; }), bytes.end());
     return bytes;
   }
 
@@ -310,12 +312,15 @@ private:
 
   bool addMesh(const std::string& representation, long long bytes, const TriangleMesh& mesh, const TriangleMesh& shown)
   {
+    if (records_.back().representation == representation && records_.back().triangles == mesh.triangles.rows())
+      return goOn(); // no edge could collapse
     DetailRecord record{ representation, std::to_string(mesh.triangles.rows()) + " triangles", bytes, mesh.triangles.rows() };
     record.curvesRMS = undefined;
     return add(record, shown);
   }
 
   static constexpr double finestStep = 0.05; // mm
+  static constexpr double sizeShare = 0.85;  // of one size, above which another needs no mesh of its own
 
   const FaceCurves& face_;
   const TriangleMesh& scan_;

@@ -31,7 +31,7 @@ struct DetailRecord
   double curvesRMS = 0.0;                      ///< of the curves' points to the full curves, mm; NaN for meshes
 };
 
-/// Measures the levels of detail of a scanned head: the whole curves, their first 0 .. K / 2 modes, compact faces, and the part of the
+/// Measures the levels of detail of a scanned head: the whole curves, their first 1 .. K / 2 modes (mode 0 alone is a line), compact faces, and the part of the
 /// scan that the face covers, decimated to the same bytes, as plain and as packed meshes.
 /// @return nothing, or one sentence that says what is wrong; no records either when `progress` stopped it
 std::string measureLevelsOfDetail(const FaceCurves& face, const TriangleMesh& scan, const DetailOptions& options,

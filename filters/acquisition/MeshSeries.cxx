@@ -8,17 +8,6 @@
 namespace mien
 {
 
-namespace
-{
-
-TriangleMesh withoutDeleted(ScanMesh scan)
-{
-  scan.garbage_collection();
-  return toTriangleMesh(scan);
-}
-
-} // namespace
-
 bool decimateInSteps(
   const TriangleMesh& mesh, const std::vector<int>& triangles, const std::function<bool(const TriangleMesh&)>& take)
 {
@@ -31,7 +20,8 @@ bool decimateInSteps(
   for (const int count : triangles)
   {
     decimater.decimate_to_faces(0, static_cast<size_t>(count));
-    if (!take(withoutDeleted(scan)))
+    scan.garbage_collection(); // else the next step counts what is deleted as well; quadrics move along
+    if (!take(toTriangleMesh(scan)))
       return false;
   }
   return true;

@@ -4,24 +4,14 @@
 #include <cstring>
 #include <vector>
 
-#include "BoundaryCurveData.h"
 #include "CompactFace.h"
-#include "vtkBoundaryCurveReader.h"
+#include "FaceFiles.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkZLibDataCompressor.h"
 
 using namespace mien;
 
 namespace {
-
-FaceCurves genericFace() {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  reader->Update();
-  FaceCurves face;
-  readFaceCurves(reader->GetOutput(), face);
-  return face;
-}
 
 std::vector<float> singlePrecision() {
   const FaceCurves face = genericFace();

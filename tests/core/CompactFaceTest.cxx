@@ -15,6 +15,8 @@ using namespace mien;
 
 namespace {
 
+using Bytes = CompactFaceBytes;
+
 std::string encoded(const FaceCurves& face, double tolerance = 0.1, const std::string& name = "") {
   std::string bytes;
   EXPECT_EQ(encodeCompactFace(face, name, tolerance, bytes), "");
@@ -144,8 +146,7 @@ TEST(CompactFace, EveryChangeOfOneByteIsRefused) {
     }
 }
 
-TEST(CompactFace, HostileContentWithTheRightChecksumIsRefused) {
-  using Bytes = CompactFaceBytes;
+TEST(CompactFace, HostileHeadersWithTheRightChecksumAreRefused) {
   const std::map<std::string, std::string> files = {
       {"unit", Bytes::with([](Bytes& f) { f.unit = 1; })},
       {"flags", Bytes::with([](Bytes& f) { f.flags = 2; })},
@@ -157,6 +158,14 @@ TEST(CompactFace, HostileContentWithTheRightChecksumIsRefused) {
       {"K of 0", Bytes::with([](Bytes& f) { f.points = 0; })},
       {"huge K", Bytes::with([](Bytes& f) { f.points = std::uint64_t(1) << 40; })},
       {"huge count of features", Bytes::with([](Bytes& f) { f.features = std::uint64_t(1) << 62; })},
+  };
+  for (const auto& [what, bytes] : files) expectRefused(bytes, "holds is no face", what);
+  expectRefused(CompactFaceBytes::with([](Bytes& f) { f.version = 2; }), "version 2", "version");
+  EXPECT_EQ(decoded(CompactFaceBytes().bytes()).face.curves.pointsPerCurve, 40) << "the one all others differ from";
+}
+
+TEST(CompactFace, HostileContentWithTheRightChecksumIsRefused) {
+  const std::map<std::string, std::string> files = {
       {"features that are not there", Bytes::with([](Bytes& f) { f.features = 1000; })},
       {"pupils that are not there", Bytes::with([](Bytes& f) {
          f.flags = 1;
@@ -182,6 +191,12 @@ TEST(CompactFace, HostileContentWithTheRightChecksumIsRefused) {
          f.features = 1;
          f.body = "\x81\x02\x01";
        })},
+  };
+  for (const auto& [what, bytes] : files) expectRefused(bytes, "holds is no face", what);
+}
+
+TEST(CompactFace, HostilePackingWithTheRightChecksumIsRefused) {
+  const std::map<std::string, std::string> files = {
       {"name longer than the file", Bytes::closed(1, std::string("\0\0"
                                                                  "0000"
                                                                  "0000"
@@ -201,8 +216,6 @@ TEST(CompactFace, HostileContentWithTheRightChecksumIsRefused) {
       {"a level without an end", Bytes::with([](Bytes& f) { f.body = std::string(20, '\xff'); })},
       {"a level beyond all faces", Bytes::with([](Bytes& f) { f.body = std::string(8, '\xff') + '\x01'; })}};
   for (const auto& [what, bytes] : files) expectRefused(bytes, "holds is no face", what);
-  expectRefused(CompactFaceBytes::with([](Bytes& f) { f.version = 2; }), "version 2", "version");
-  EXPECT_EQ(decoded(CompactFaceBytes().bytes()).face.curves.pointsPerCurve, 40) << "the one all others differ from";
 }
 
 TEST(CompactFace, EveryFileOfTheMalformedFolderIsRefused) {
