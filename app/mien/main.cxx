@@ -32,6 +32,7 @@ void addCommands(CLI::App& program) {
   mien::addInfluenceCommand(program);
   mien::addCompareCommand(program);
   mien::addLodCommand(program);
+  mien::addFatCommand(program);
 }
 
 /// A first argument that is neither an option nor a command, which CLI11 would only call missing.
