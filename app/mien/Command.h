@@ -23,6 +23,7 @@ void addInfluenceCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
 void addVectorsCommand(CLI::App& program);
 void addTextureCommand(CLI::App& program);
+void addLodCommand(CLI::App& program);
 void addFatCommand(CLI::App& program);
 
 }  // namespace mien

@@ -27,7 +27,7 @@ void FaceOptions::addSurfaceOptions(CLI::App& command) {
   const auto add = [&](const char* name, std::string& value, const std::string& help) {
     command.add_option(name, value, help)->group("Face");
   };
-  add("--face", face_, "Boundary curves, FILE.vtp [the generic face]");
+  add("--face", face_, "Boundary curves, FILE.vtp or .mienz [the generic face]");
   add("--scheme", scheme_, schemeHelp());
   add("-a,--smoothing", smoothing_, "Smoothing parameter a, 0 < a <= 1000: one value, or nine with commas [1]");
   add("-N,--harmonics", harmonics_, "Fourier modes solved exactly, 0 .. K/2 [5]");

@@ -34,6 +34,7 @@ void addCommands(CLI::App& program) {
   mien::addCompareCommand(program);
   mien::addVectorsCommand(program);
   mien::addTextureCommand(program);
+  mien::addLodCommand(program);
   mien::addFatCommand(program);
 }
 
