@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "FAPTable.h"
+#include "MotionDirection.h"
 
 namespace mien {
 
@@ -15,6 +16,13 @@ using Json = nlohmann::json;
 
 [[noreturn]] void refuse(const std::string& what) {
   throw std::invalid_argument(what);
+}
+
+/// A key that nobody reads is most likely misspelt, and its effect missing.
+void refuseUnknownKeys(const Json& json, std::initializer_list<const char*> known) {
+  if (!json.is_object()) refuse("an object {...} is needed where there is " + std::string(json.type_name()));
+  for (const auto& [key, value] : json.items())
+    if (std::find(known.begin(), known.end(), key) == known.end()) refuse("the key \"" + key + "\" is unknown");
 }
 
 int parseCurve(const Json& json) {
@@ -65,6 +73,7 @@ ProfileKnot parseKnot(const Json& json, ProfileShape shape) {
 
 WeightProfile parseProfile(const Json& json) {
   WeightProfile profile;
+  refuseUnknownKeys(json, {"shape", "knots", "upper", "lower", "from", "to"});
   const std::string shape = json.at("shape").get<std::string>();
   if (shape == "gap") {
     profile.gapUpper = parseCurve(json.at("upper"));
@@ -80,20 +89,9 @@ WeightProfile parseProfile(const Json& json) {
 }
 
 Eigen::Vector3d unitDirection(int fap) {
-  switch (fapDefinition(fap).positiveMotion) {
-    case FAPDirection::Left:
-      return {1.0, 0.0, 0.0};
-    case FAPDirection::Right:
-      return {-1.0, 0.0, 0.0};
-    case FAPDirection::Up:
-      return {0.0, 1.0, 0.0};
-    case FAPDirection::Down:
-      return {0.0, -1.0, 0.0};
-    case FAPDirection::Forward:
-      return {0.0, 0.0, 1.0};
-    default:
-      refuse("its motion is no shift; give slopes");
-  }
+  const Eigen::Vector3d direction = motionDirection(fapDefinition(fap).positiveMotion);
+  if (direction.isZero()) refuse("its motion is no shift; give slopes");
+  return direction;
 }
 
 std::vector<Eigen::Vector3d> parseSlopes(const Json& part, const AnimationEntry& entry) {
@@ -108,6 +106,7 @@ std::vector<Eigen::Vector3d> parseSlopes(const Json& part, const AnimationEntry&
 
 AnimationPart parsePart(const Json& json, const AnimationEntry& entry) {
   AnimationPart part;
+  refuseUnknownKeys(json, {"curves", "above", "below", "slopes", "profile"});
   for (const Json& curve : json.at("curves")) part.curves.push_back(parseCurve(curve));
   if (part.curves.empty()) refuse("a part lists no curves");
   std::sort(part.curves.begin(), part.curves.end());
@@ -121,19 +120,52 @@ AnimationPart parsePart(const Json& json, const AnimationEntry& entry) {
   return part;
 }
 
+int parseFap(const Json& json) {
+  const double number = parseNumber(json, "fap");
+  if (number != std::floor(number) || number < FAPFrame::firstLowLevel || number > FAPFrame::count)
+    refuse("fap must be a whole number from 3 to 68");
+  return static_cast<int>(number);
+}
+
+std::vector<int> parseFapList(const Json& entry, const char* key) {
+  std::vector<int> faps;
+  if (!entry.contains(key)) return faps;
+  if (!entry.at(key).is_array()) refuse("\"" + std::string(key) + "\" must be a list of FAPs");
+  for (const Json& fap : entry.at(key)) faps.push_back(parseFap(fap));
+  return faps;
+}
+
+std::vector<FAPLoan> parseLoans(const Json& entry) {
+  std::vector<FAPLoan> loans;
+  if (!entry.contains("lends")) return loans;
+  if (!entry.at("lends").is_array()) refuse("\"lends\" must be a list of {\"fap\", \"share\"}");
+  for (const Json& loan : entry.at("lends")) {
+    refuseUnknownKeys(loan, {"fap", "share"});
+    loans.push_back({parseFap(loan.at("fap")), parseNumber(loan.at("share"), "a share")});
+    if (std::abs(loans.back().share) > 1.0) refuse("a share must lie within -1 and 1");
+  }
+  return loans;
+}
+
 void parseEntry(const Json& json, AnimationEntry& entry) {
+  refuseUnknownKeys(json, {"fap", "name", "group", "optional", "replaces", "beyond", "lends", "borders", "parts"});
   if (fapDefinition(entry.fap).unit == FAPUnit::Angle)
     refuse("it turns by an angle, which a table of shifts cannot hold");
   const std::string fault = entry.intervals.setBorders(json.at("borders").get<std::vector<double>>());
   if (!fault.empty()) refuse(fault);
   entry.group = json.value("group", std::string());
   entry.optional = json.value("optional", false);
+  entry.replaces = parseFapList(json, "replaces");
+  entry.beyond = parseFapList(json, "beyond");
+  entry.lends = parseLoans(json);
+  if (!entry.replaces.empty() && !entry.beyond.empty()) refuse("it may have \"replaces\" or \"beyond\", not both");
   for (const Json& part : json.at("parts")) entry.parts.push_back(parsePart(part, entry));
   if (entry.parts.empty()) refuse("it has no parts");
 }
 
 ContactPair parseContact(const Json& json) {
   ContactPair pair;
+  refuseUnknownKeys(json, {"name", "upper", "lower", "yields"});
   pair.name = json.at("name").get<std::string>();
   pair.upper = parseCurve(json.at("upper"));
   pair.lower = parseCurve(json.at("lower"));
@@ -159,12 +191,7 @@ void within(const std::string& place, Step&& step) {
 void parseFaps(const Json& json, std::vector<AnimationEntry>& entries) {
   for (size_t i = 0; i < json.size(); ++i) {
     AnimationEntry entry;
-    within("entry " + std::to_string(i + 1), [&] {
-      const double number = parseNumber(json[i].at("fap"), "fap");
-      if (number != std::floor(number) || number < FAPFrame::firstLowLevel || number > FAPFrame::count)
-        refuse("fap must be a whole number from 3 to 68");
-      entry.fap = static_cast<int>(number);
-    });
+    within("entry " + std::to_string(i + 1), [&] { entry.fap = parseFap(json[i].at("fap")); });
     const std::string name = "FAP " + std::to_string(entry.fap);
     const bool twice = std::any_of(entries.begin(), entries.end(), [&](const auto& e) { return e.fap == entry.fap; });
     if (twice) refuse(name + ": there are two entries");
@@ -173,33 +200,76 @@ void parseFaps(const Json& json, std::vector<AnimationEntry>& entries) {
   }
 }
 
-void parseRoot(const Json& root, std::vector<AnimationEntry>& entries, std::vector<ContactPair>& contacts) {
+CurveBand parseBand(const Json& json) {
+  refuseUnknownKeys(json, {"name", "first", "last"});
+  const CurveBand band{parseCurve(json.at("first")), parseCurve(json.at("last"))};
+  if (band.first > band.last) refuse("\"first\" must not come after \"last\"");
+  return band;
+}
+
+/// Relations need no order of their own: whom an entry looks at must stand before it, so none looks in a circle.
+void checkRelations(const std::vector<AnimationEntry>& entries) {
+  std::vector<int> before;
+  const auto known = [&](const std::vector<int>& faps, int fap) {
+    return std::find(faps.begin(), faps.end(), fap) != faps.end();
+  };
+  std::vector<int> all;
+  for (const AnimationEntry& entry : entries) all.push_back(entry.fap);
+  for (const AnimationEntry& entry : entries) {
+    const std::string name = "FAP " + std::to_string(entry.fap) + ": ";
+    for (const std::vector<int>* list : {&entry.replaces, &entry.beyond})
+      for (int fap : *list)
+        if (!known(before, fap)) refuse(name + "the entry of FAP " + std::to_string(fap) + " must stand before it");
+    for (const FAPLoan& loan : entry.lends)
+      if (!known(all, loan.fap) || loan.fap == entry.fap)
+        refuse(name + "it lends to FAP " + std::to_string(loan.fap) + ", which has no entry of its own");
+    before.push_back(entry.fap);
+  }
+}
+
+bool isKnownVersion(const Json& version) {
+  return version.is_number_integer() && version >= 1 && version <= AnimationTable::version;
+}
+
+struct TableContent {
+  std::vector<AnimationEntry> entries;
+  std::vector<ContactPair> contacts;
+  std::vector<CurveBand> sideways;
+};
+
+void parseRoot(const Json& root, TableContent& content) {
   if (!root.is_object() || root.value("format", Json()) != "mien animation table")
     refuse("\"format\" is not \"mien animation table\"");
-  if (root.value("version", Json()) != AnimationTable::version)
-    refuse("its version is not " + std::to_string(AnimationTable::version) + ", the only one known");
+  if (!isKnownVersion(root.value("version", Json())))
+    refuse("its version is none of those known, 1 to " + std::to_string(AnimationTable::version));
+  refuseUnknownKeys(root, {"format", "version", "contacts", "sideways", "faps"});
   if (!root.contains("faps") || !root["faps"].is_array()) refuse("it has no list \"faps\"");
   if (root.contains("contacts"))
     within("contacts", [&] {
-      for (const Json& pair : root["contacts"]) contacts.push_back(parseContact(pair));
+      for (const Json& pair : root["contacts"]) content.contacts.push_back(parseContact(pair));
     });
-  parseFaps(root["faps"], entries);
+  if (root.contains("sideways"))
+    within("sideways", [&] {
+      for (const Json& band : root["sideways"]) content.sideways.push_back(parseBand(band));
+    });
+  parseFaps(root["faps"], content.entries);
+  checkRelations(content.entries);
 }
 
 }  // namespace
 
 std::string AnimationTable::parse(const std::string& json) {
-  std::vector<AnimationEntry> entries;
-  std::vector<ContactPair> contacts;
+  TableContent content;
   try {
-    parseRoot(Json::parse(json), entries, contacts);
+    parseRoot(Json::parse(json), content);
   } catch (const Json::exception& error) {
     return std::string("animation table: it is no valid JSON: ") + error.what();
   } catch (const std::invalid_argument& error) {
     return std::string("animation table: ") + error.what();
   }
-  entries_ = std::move(entries);
-  contacts_ = std::move(contacts);
+  entries_ = std::move(content.entries);
+  contacts_ = std::move(content.contacts);
+  sideways_ = std::move(content.sideways);
   return {};
 }
 

@@ -19,11 +19,20 @@ struct AnimationPart {
   std::vector<Eigen::Vector3d> slopes;  ///< per interval, in FAP units (x left, y up, z forward)
 };
 
+/// A share of a FAP's value that another FAP takes over as far as it is not set itself.
+struct FAPLoan {
+  int fap = 0;  ///< who takes it
+  double share = 0.0;
+};
+
 /// What one FAP does. Unit, direction and feature point are those of the standard (FAPTable.h).
 struct AnimationEntry {
   int fap = 0;
-  std::string group;  ///< FAPs of one group share its points: their weights sum to at most 1
-  bool optional = false;  ///< left out on a face without its feature point, where other entries are refused
+  std::string group;          ///< FAPs of one group share its points: their weights sum to at most 1
+  bool optional = false;      ///< left out on a face without its feature point, where other entries are refused
+  std::vector<int> replaces;  ///< FAPs whose motion at its feature point gives way to its own (EffectiveValues)
+  std::vector<int> beyond;    ///< FAPs that move the same place: it adds what it asks for beyond them
+  std::vector<FAPLoan> lends;
   PiecewiseLinear intervals;
   std::vector<AnimationPart> parts;
 };
@@ -35,14 +44,19 @@ struct ContactPair {
   bool upperYields = false;  ///< the upper stops at the lower (lids); else both give way (lips)
 };
 
+/// Neighbouring curves, first to last, whose samples keep their order from the middle of the face outwards (SideOrder).
+struct CurveBand {
+  int first = 0, last = 0;
+};
+
 /// The face animation table (FAT) [S 5]: which points of the boundary curves each FAP moves, and how far.
 ///
-/// Read from JSON: {"format": "mien animation table", "version": 1, "contacts": [...], "faps": [...]}, see
-/// doc/animation_table.md. Points are addressed by curve and by feature points along v, never by sample, so
-/// one table serves every face and every K >= 32.
+/// Read from JSON: {"format": "mien animation table", "version": 2, "contacts": [...], "faps": [...]}, see
+/// doc/animation_table.md; tables of version 1, which had no relations between FAPs, are read too. Points are addressed
+/// by curve and by feature points along v, never by sample, so one table serves every face and every K >= 32.
 class AnimationTable {
  public:
-  static constexpr int version = 1;
+  static constexpr int version = 2;
 
   /// Replaces the table; on a fault it stays as it was.
   /// @return nothing, or one sentence that names the entry and what is wrong with it
@@ -50,11 +64,13 @@ class AnimationTable {
 
   const std::vector<AnimationEntry>& entries() const { return entries_; }
   const std::vector<ContactPair>& contacts() const { return contacts_; }
+  const std::vector<CurveBand>& sideways() const { return sideways_; }
   const AnimationEntry* entry(int fap) const;  ///< or nullptr
 
  private:
   std::vector<AnimationEntry> entries_;
   std::vector<ContactPair> contacts_;
+  std::vector<CurveBand> sideways_;
 };
 
 }  // namespace mien

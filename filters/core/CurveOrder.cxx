@@ -3,17 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "SoftDistance.h"
+
 namespace mien {
-
-namespace {
-
-double distanceWithRoom(double distance, double neutral, double soft) {
-  const double least = soft * std::max(neutral, 0.0);
-  if (distance >= least || distance >= neutral) return distance;
-  return least > 0.0 ? least * std::exp((distance - least) / least) : std::min(neutral, 0.0);
-}
-
-}  // namespace
 
 CurveOrder::CurveOrder(const ClosedCurves& neutral, const std::vector<ContactPair>& contacts) : neutral_(neutral) {
   std::vector<ContactPair> sorted = contacts;
@@ -36,7 +28,7 @@ void CurveOrder::push(ClosedCurves& curves, const Sweep& sweep) {
       double& pushed = curves.points(static_cast<Eigen::Index>(c + step) * k + j, 1);
       const double neutral = step * (neutral_.curve(c)(j, 1) - neutral_.curve(c + step)(j, 1));
       const double distance = step * (pusher - pushed);
-      const double room = distanceWithRoom(distance, neutral, sweep.soft);
+      const double room = softDistance(distance, neutral, sweep.soft);
       if (room == distance) continue;
       pushed = pusher - step * room;
       pushed_ = std::max(pushed_, std::abs(room - distance));

@@ -10,8 +10,8 @@ namespace mien {
 /// Makes room beside curves that moved far, so that no curve crosses its neighbour at a sample.
 ///
 /// From the contacts (lips, lids) outwards a curve that comes nearer than a tenth of its neutral distance
-/// is pushed on by its neighbour: the distance g becomes f e^{(g - f)/f}, f a tenth of the neutral
-/// distance, which is smooth and never negative. Where two sweeps meet without room for both, or for
+/// is pushed on by its neighbour: the distance g becomes f^2 / (2f - g), f a tenth of the neutral
+/// distance, which is smooth and stays positive. Where two sweeps meet without room for both, or for
 /// absurd values, the whole face is drawn towards the neutral one just far enough. Curves in order stay bit for bit.
 class CurveOrder {
  public:

@@ -21,17 +21,49 @@ std::pair<int, double> parseValue(const std::string& key, const Json& json) {
   return {fap, json.get<double>()};
 }
 
+FacialAction parseAction(const std::string& name, const Json& faps) {
+  if (!faps.is_object()) throw std::invalid_argument("\"faps\" must be an object of FAP numbers and values");
+  FacialAction action{name, {}};
+  for (const auto& [key, value] : faps.items()) action.values.push_back(parseValue(key, value));
+  return action;
+}
+
+std::vector<FacialAction> parseActions(const Json& json) {
+  if (json.contains("actions") == json.contains("faps"))
+    throw std::invalid_argument("either \"actions\" or \"faps\" is needed");
+  if (json.contains("faps")) return {parseAction("", json["faps"])};
+  std::vector<FacialAction> actions;
+  for (const Json& action : json["actions"])
+    actions.push_back(parseAction(action.at("name").get<std::string>(), action.at("faps")));
+  return actions;
+}
+
+void collectValues(ExpressionProfile& profile) {
+  for (const FacialAction& action : profile.actions)
+    for (const auto& value : action.values) {
+      const bool twice = std::any_of(profile.values.begin(), profile.values.end(),
+                                     [&](const auto& known) { return known.first == value.first; });
+      if (twice) throw std::invalid_argument("FAP " + std::to_string(value.first) + " stands in two places");
+      profile.values.push_back(value);
+    }
+}
+
 ExpressionProfile parseExpression(const Json& json) {
   ExpressionProfile profile;
   profile.name = json.at("name").get<std::string>();
   try {
     profile.select = json.at("select").get<int>();
     profile.definition = json.at("definition").get<std::string>();
-    for (const auto& [key, value] : json.at("faps").items()) profile.values.push_back(parseValue(key, value));
+    profile.actions = parseActions(json);
+    collectValues(profile);
   } catch (const std::exception& error) {
     throw std::invalid_argument(profile.name + ": " + error.what());
   }
   return profile;
+}
+
+bool isKnownVersion(const Json& version) {
+  return version.is_number_integer() && version >= 1 && version <= ExpressionLibrary::version;
 }
 
 }  // namespace
@@ -43,7 +75,8 @@ std::string ExpressionLibrary::parse(const std::string& json) {
     const Json format = root.is_object() ? root.value("format", Json()) : Json();
     if (format != "mien expressions" && format != "mien visemes")
       return "expressions: \"format\" is not \"mien expressions\" or \"mien visemes\"";
-    if (root.value("version", Json()) != version) return "expressions: the version is not 1, the only one known";
+    if (!isKnownVersion(root.value("version", Json())))
+      return "expressions: the version is none of those known, 1 to " + std::to_string(version);
     for (const Json& expression : root.at("expressions")) expressions.push_back(parseExpression(expression));
   } catch (const std::exception& error) {
     return std::string("expressions: ") + error.what();

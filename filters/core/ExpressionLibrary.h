@@ -8,19 +8,28 @@
 
 namespace mien {
 
-/// One facial expression as FAP values at full intensity.
-struct ExpressionProfile {
-  std::string name;                            ///< "joy"
-  int select = 0;                              ///< the number that FAP 2 selects it by, 1 .. 6
-  std::string definition;                      ///< what it looks like, in words
+/// One facial action of an expression, such as "brows down and together".
+struct FacialAction {
+  std::string name;
   std::vector<std::pair<int, double>> values;  ///< FAP number and value
 };
 
-/// Named expressions or visemes, read from JSON: {"format": "mien expressions" or "mien visemes", "version": 1,
-/// "expressions": [...]}.
+/// One facial expression as FAP values at full intensity: a tree from the expression to facial actions to FAPs [S].
+struct ExpressionProfile {
+  std::string name;        ///< "joy"
+  int select = 0;          ///< the number that FAP 2 selects it by, 1 .. 6
+  std::string definition;  ///< what it looks like, in words
+  std::vector<FacialAction> actions;
+  std::vector<std::pair<int, double>> values;  ///< FAP number and value of all actions
+};
+
+/// Named expressions or visemes, read from JSON: {"format": "mien expressions" or "mien visemes", "version": 2,
+/// "expressions": [{"name", "select", "definition", "actions": [{"name", "faps": {"53": 100, ...}}, ...]}, ...]}. In
+/// place of "actions" an entry may have "faps", one action without a name; version 1 knew only these. A FAP stands in
+/// one action of an expression.
 class ExpressionLibrary {
  public:
-  static constexpr int version = 1;
+  static constexpr int version = 2;
 
   /// Replaces the library; on a fault it stays as it was.
   /// @return nothing, or one sentence that names the expression and what is wrong with it
@@ -29,7 +38,7 @@ class ExpressionLibrary {
   const std::vector<ExpressionProfile>& expressions() const { return expressions_; }
   const ExpressionProfile* find(const std::string& name) const;  ///< or nullptr
 
-  const ExpressionProfile* find(int select) const;              ///< by the number in FAP 1 or 2, or nullptr
+  const ExpressionProfile* find(int select) const;  ///< by the number in FAP 1 or 2, or nullptr
 
   /// Adds intensity x values to a frame.
   /// @param intensity 0 (nothing) .. 1 (full); values outside are brought to the nearer end

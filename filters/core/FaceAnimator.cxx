@@ -5,13 +5,6 @@
 
 namespace mien {
 
-namespace {
-
-// Owners of a sample that are no number of a group; -1 is a FAP without a group.
-constexpr int nobody = -2, several = -3;
-
-}  // namespace
-
 std::string FaceAnimator::bind(const FaceCurves& neutral, const AnimationTable& table) {
   std::string fault = describeFault(neutral);
   if (fault.empty()) fault = describeFault(neutral.curves, minimumPointsPerCurve);
@@ -23,24 +16,21 @@ std::string FaceAnimator::bind(const FaceCurves& neutral, const AnimationTable& 
   for (const ContactPair& pair : table.contacts())
     binding->contacts.emplace_back(binding->neutral.curves, pair, binding->basis);
   binding->order = std::make_unique<CurveOrder>(binding->neutral.curves, table.contacts());
-  binding->owners.resize(binding->neutral.curves.points.rows());
+  binding->sides = std::make_unique<SideOrder>(binding->neutral.curves, table.sideways());
+  binding->values = std::make_unique<EffectiveValues>(binding->neutral, binding->table, binding->basis, binding->units);
+  binding->slack.resize(binding->neutral.curves.points.rows());
+  binding->groups.assign(binding->slack.size(), -1);
+  for (int group = 0; group < static_cast<int>(binding->basis.groups().size()); ++group)
+    for (int row : binding->basis.pointsOfGroup(group)) binding->groups[row] = group;
   bound_ = std::move(binding);
   return {};
-}
-
-/// Notes which group moves a sample: only what a single group moves is bound by its displacements alone.
-void FaceAnimator::claimRows(const FAPMotion& motion) {
-  for (int row : motion.rows) {
-    int& owner = bound_->owners[row];
-    owner = owner == nobody || owner == motion.group ? motion.group : several;
-  }
 }
 
 /// @return whether anything moves
 bool FaceAnimator::displace(const FAPFrame& frame) {
   ClosedCurves::Points& points = bound_->animated.points;
   points = bound_->neutral.curves.points;
-  std::fill(bound_->owners.begin(), bound_->owners.end(), nobody);
+  std::fill(bound_->slack.begin(), bound_->slack.end(), 0.0);
   bool moved = false;
   for (const FAPMotion& motion : bound_->basis.motions()) {
     const double value = MotionBasis::usableValue(frame, motion.fap);
@@ -49,15 +39,19 @@ bool FaceAnimator::displace(const FAPFrame& frame) {
     for (int i = 0; i < motion.intervals.intervals(); ++i) {
       const double length = motion.intervals.length(i, value);
       if (length == 0.0) continue;
-      for (size_t r = 0; r < motion.rows.size(); ++r) points.row(motion.rows[r]) += length * motion.perValue[i].row(r);
+      for (size_t r = 0; r < motion.rows.size(); ++r) {
+        const int row = motion.rows[r];
+        points.row(row) += length * motion.perValue[i].row(r);
+        if (bound_->groups[row] != motion.group)
+          bound_->slack[row] += std::abs(length) * motion.perValue[i].row(r).norm();
+      }
     }
-    claimRows(motion);
   }
   return moved;
 }
 
 /// Height comes first, as contact depends on it: the shift along x and z gives way where both together would
-/// take a point of a group further than the largest single displacement.
+/// take a point of a group further than the largest single displacement and what FAPs outside the group add.
 void FaceAnimator::limitGroups(const FAPFrame& frame) {
   const MotionBasis& basis = bound_->basis;
   for (int group = 0; group < static_cast<int>(basis.groups().size()); ++group) {
@@ -65,11 +59,11 @@ void FaceAnimator::limitGroups(const FAPFrame& frame) {
     for (const FAPMotion& motion : basis.motions())
       if (motion.group == group) largest = std::max(largest, motion.reach(MotionBasis::usableValue(frame, motion.fap)));
     for (int row : basis.pointsOfGroup(group)) {
-      if (bound_->owners[row] != group) continue;
       const Eigen::RowVector3d start = bound_->neutral.curves.points.row(row);
       Eigen::RowVector3d shift = bound_->animated.points.row(row) - start;
       const double level = std::hypot(shift.x(), shift.z());
-      const double allowed = std::sqrt(std::max(0.0, largest * largest - shift.y() * shift.y()));
+      const double radius = largest + bound_->slack[row];
+      const double allowed = std::sqrt(std::max(0.0, radius * radius - shift.y() * shift.y()));
       if (level <= allowed * (1.0 + 1e-12) || level <= 1e-9) continue;
       bound_->animated.points(row, 0) = start.x() + shift.x() * allowed / level;
       bound_->animated.points(row, 2) = start.z() + shift.z() * allowed / level;
@@ -77,13 +71,16 @@ void FaceAnimator::limitGroups(const FAPFrame& frame) {
   }
 }
 
-const ClosedCurves& FaceAnimator::animate(const FAPFrame& frame) {
+const ClosedCurves& FaceAnimator::animate(const FAPFrame& wanted) {
+  const FAPFrame& frame = bound_->values->resolve(wanted);
   const bool moved = displace(frame);
   for (ContactClamp& contact : bound_->contacts) contact.reset();
   bound_->order->reset();
+  bound_->sides->reset();
   if (!moved) return bound_->animated;
   for (ContactClamp& contact : bound_->contacts) contact.apply(frame, bound_->animated);
   limitGroups(frame);
+  bound_->sides->restore(bound_->animated);
   bound_->order->restore(bound_->animated);
   return bound_->animated;
 }
@@ -113,7 +110,7 @@ int FaceAnimator::contactSamples() const {
 }
 
 double FaceAnimator::pushed() const {
-  return bound_->order->pushed();
+  return std::max(bound_->order->pushed(), bound_->sides->pushed());
 }
 
 double FaceAnimator::keptShare() const {

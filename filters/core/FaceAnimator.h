@@ -7,10 +7,12 @@
 #include "AnimationTable.h"
 #include "ContactClamp.h"
 #include "CurveOrder.h"
+#include "EffectiveValues.h"
 #include "FAPFrame.h"
 #include "FAPUnits.h"
 #include "FaceCurves.h"
 #include "MotionBasis.h"
+#include "SideOrder.h"
 
 namespace mien {
 
@@ -18,7 +20,8 @@ namespace mien {
 ///
 /// A zero frame gives the neutral curves bit for bit. Weights of FAPs that share points sum to at most
 /// 1, and where their directions differ the shift along x and z gives way, so that no such point moves further than
-/// the largest single displacement. Lips and lids touch but do not cross; no curve crosses its neighbour at a sample.
+/// the largest single displacement. FAPs that move the same place (inner and outer lip) do not move it twice
+/// (EffectiveValues). Lips and lids touch but do not cross; no curve crosses its neighbour at a sample.
 class FaceAnimator {
  public:
   static constexpr int minimumPointsPerCurve = 32;
@@ -51,11 +54,13 @@ class FaceAnimator {
     FAPUnits units;
     MotionBasis basis;
     std::vector<ContactClamp> contacts;
+    std::unique_ptr<EffectiveValues> values;
     std::unique_ptr<CurveOrder> order;
-    std::vector<int> owners;  ///< per sample: the group that moves it in this frame
+    std::unique_ptr<SideOrder> sides;
+    std::vector<int> groups;    ///< per sample: the group that moves it, or -1
+    std::vector<double> slack;  ///< per sample: how far FAPs outside that group move it in this frame, mm
   };
 
-  void claimRows(const FAPMotion& motion);
   bool displace(const FAPFrame& frame);
   void limitGroups(const FAPFrame& frame);
 

@@ -1,9 +1,8 @@
 #include "FacialRegions.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace mien {
@@ -40,15 +39,24 @@ std::array<double, 2> ascending(const Json& json, const char* key) {
   return {range[0], range[1]};
 }
 
+FacialRegions::Slit slit(const Json& json) {
+  FacialRegions::Slit result;
+  result.reach = finite(json, "reach", 1e-3, 10.0);
+  result.separation = finite(json, "separation", 0.0, 10.0);
+  for (const auto& [key, side] : {std::pair("upper", 1.0), {"lower", -1.0}})
+    for (const int region : json.at(key).get<std::vector<int>>()) {
+      if (region < 1 || region > FacialRegions::count) throw std::invalid_argument("region numbers run from 1 to 16");
+      if (result.sides[region - 1] != 0.0)
+        throw std::invalid_argument("region " + std::to_string(region) + " is given twice beside a slit");
+      result.sides[region - 1] = side;
+    }
+  return result;
+}
+
 }  // namespace
 
-std::string FacialRegions::parse(const std::string& text) {
-  FacialRegions parsed;
-  try {
-    const Json json = Json::parse(text);
-    parsed.version_ = json.at("version").get<int>();
-    if (parsed.version_ != knownVersion) throw std::invalid_argument("version must be 1, the only one known");
-    const Json& regions = json.at("regions");
+struct FacialRegions::Reader {
+  static void read(const Json& regions, FacialRegions& parsed) {
     if (!regions.is_array() || regions.size() != count) throw std::invalid_argument("there must be 16 regions");
     for (const Json& region : regions) {
       const int id = region.at("region").get<int>(), mirror = region.at("mirror").get<int>();
@@ -62,17 +70,25 @@ std::string FacialRegions::parse(const std::string& text) {
     for (int id = 1; id <= count; ++id)
       if (parsed.mirrored(parsed.mirrored(id)) != id)
         throw std::invalid_argument("region " + std::to_string(id) + " is not the mirror of its mirror");
+  }
+};
+
+std::string FacialRegions::parse(const std::string& text) {
+  FacialRegions parsed;
+  try {
+    const Json json = Json::parse(text);
+    parsed.version_ = json.at("version").get<int>();
+    if (parsed.version_ != knownVersion) throw std::invalid_argument("version must be 1, the only one known");
+    Reader::read(json.at("regions"), parsed);
     parsed.blend_ = finite(json, "blend", 1e-3, 10.0);
-    const Json &outline = json.at("outline"), &lips = json.at("lips"), &back = json.at("back");
+    const Json &outline = json.at("outline"), &back = json.at("back");
     parsed.outlineCentre_ = pair(outline, "centre");
     parsed.outlineRadii_ = pair(outline, "radii");
     if (parsed.outlineRadii_.minCoeff() <= 0.0) throw std::invalid_argument("radii must be positive");
     parsed.outlineExponent_ = finite(outline, "exponent", 1.0, 20.0);
     parsed.outlineFade_ = finite(outline, "fade", 1e-3, 10.0);
-    parsed.lipCentre_ = pair(lips, "centre");
-    parsed.lipHalfWidth_ = finite(lips, "half_width", 0.0, 10.0);
-    parsed.lipReach_ = finite(lips, "reach", 1e-3, 10.0);
-    parsed.lipShift_ = finite(lips, "shift", 0.0, 10.0);
+    parsed.lips_ = slit(json.at("lips"));
+    parsed.lids_ = slit(json.at("lids"));
     parsed.depthRange_ = ascending(back, "depth");
     parsed.normalRange_ = ascending(back, "normal_z");
   } catch (const std::exception& error) {
@@ -82,25 +98,21 @@ std::string FacialRegions::parse(const std::string& text) {
   return {};
 }
 
-Eigen::Vector2d FacialRegions::lookup(const Eigen::Vector2d& point, LipSide side) const {
-  if (side == 0.0) return point;
-  const double x = std::max(std::abs(point.x() - lipCentre_.x()) - lipHalfWidth_, 0.0);
-  const double distance = std::hypot(x, point.y() - lipCentre_.y());
-  return {point.x(), point.y() + side * lipShift_ * smoothStep(1.0 - distance / lipReach_)};
+FacialRegions::Weights FacialRegions::distances(const Eigen::Vector2d& point, const FaceSide& side) const {
+  Weights result;
+  for (int i = 0; i < count; ++i)
+    result[i] = (centres_[i] - point).norm() + lips_.separation * std::max(-lips_.sides[i] * side.lips, 0.0) +
+                lids_.separation * std::max(-lids_.sides[i] * side.lids, 0.0);
+  return result;
 }
 
-int FacialRegions::nearest(const Eigen::Vector2d& point, LipSide side) const {
-  const Eigen::Vector2d at = lookup(point, side);
-  const auto closer = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return (a - at).squaredNorm() < (b - at).squaredNorm();
-  };
-  return 1 + static_cast<int>(std::min_element(centres_.begin(), centres_.end(), closer) - centres_.begin());
+int FacialRegions::nearest(const Eigen::Vector2d& point, const FaceSide& side) const {
+  const Weights all = this->distances(point, side);
+  return 1 + static_cast<int>(std::min_element(all.begin(), all.end()) - all.begin());
 }
 
-FacialRegions::Weights FacialRegions::weights(const Eigen::Vector2d& point, LipSide side) const {
-  const Eigen::Vector2d at = lookup(point, side);
-  Weights result{};
-  for (int i = 0; i < count; ++i) result[i] = (centres_[i] - at).norm();
+FacialRegions::Weights FacialRegions::weights(const Eigen::Vector2d& point, const FaceSide& side) const {
+  Weights result = this->distances(point, side);
   const double nearest = *std::min_element(result.begin(), result.end());
   double sum = 0.0;
   for (double& value : result) sum += value = smoothStep(1.0 - (value - nearest) / blend_);

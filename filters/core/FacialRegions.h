@@ -1,26 +1,37 @@
 #pragma once
 
-#include "DeformationTable.h"
-
 #include <array>
 #include <string>
 #include <vector>
 
+#include "DeformationTable.h"
+
 namespace mien {
 
-/// The side of the lip line a point lies on: 1 upper lip, -1 lower lip, 0 neither or at a mouth corner, and between.
-using LipSide = double;
+/// The side of the slits a point lies on: 1 upper lip (lid), -1 lower lip (lid), 0 far from both and at the corners,
+/// and between.
+struct FaceSide {
+  double lips = 0.0;
+  double lids = 0.0;
+};
 
 /// The map of the 16 regions over a face in pupil units.
 ///
 /// Hard regions are those of the nearest centre. Smooth weights are a partition of unity that equals the hard regions
-/// further than half the blending width from a border. Points near the mouth are looked up higher (upper lip) or lower
-/// (lower lip) than they are, so that the two lips, which meet at one (x, y), belong to different regions and the lookup
-/// stays continuous everywhere but across the lip line.
+/// further than half the blending width from a border. Upper and lower lips (lids) meet at one (x, y), so they are told
+/// apart by their side: on the upper side the regions of the lower lip count as further away by the slit's separation
+/// times the side, and the other way round. Weights are continuous wherever sides are, which is everywhere but across a
+/// slit.
 class FacialRegions {
  public:
   static constexpr int count = DeformationTable::regionCount;
   using Weights = std::array<double, count>;
+
+  /// Lips or lids: what belongs to one side only.
+  struct Slit {
+    double reach = 0.0, separation = 0.0;  ///< pupil units
+    std::array<double, count> sides{};     ///< of each region: 1 upper, -1 lower, 0 both
+  };
 
   /// From the text of regions.json. @return nothing, or one sentence that says what is wrong
   std::string parse(const std::string& json);
@@ -33,10 +44,14 @@ class FacialRegions {
   int mirrored(int region) const { return mirrored_[region - 1]; }
 
   /// The region (1 .. 16) a point belongs to.
-  int nearest(const Eigen::Vector2d& point, LipSide side = 0.0) const;
+  int nearest(const Eigen::Vector2d& point, const FaceSide& side = {}) const;
 
   /// Non-negative, sum 1; region r at index r - 1.
-  Weights weights(const Eigen::Vector2d& point, LipSide side = 0.0) const;
+  Weights weights(const Eigen::Vector2d& point, const FaceSide& side = {}) const;
+
+  /// How far from the lips (lids) their sides reach, along the surface, pupil units.
+  double lipReach() const { return lips_.reach; }
+  double lidReach() const { return lids_.reach; }
 
   /// 1 where tables are fitted, 0 beyond the face's outline, smooth between.
   double outlineWeight(const Eigen::Vector2d& point) const;
@@ -48,16 +63,17 @@ class FacialRegions {
   DeformationTable mirrored(const DeformationTable& table) const;
 
  private:
-  Eigen::Vector2d lookup(const Eigen::Vector2d& point, LipSide side) const;
+  struct Reader;
+  Weights distances(const Eigen::Vector2d& point, const FaceSide& side) const;
 
   int version_ = 0;
   std::array<std::string, count> names_;
   std::array<Eigen::Vector2d, count> centres_;
   std::array<int, count> mirrored_{};
   double blend_ = 0.0;
-  Eigen::Vector2d outlineCentre_, outlineRadii_, lipCentre_;
+  Eigen::Vector2d outlineCentre_, outlineRadii_;
   double outlineExponent_ = 0.0, outlineFade_ = 0.0;
-  double lipHalfWidth_ = 0.0, lipReach_ = 0.0, lipShift_ = 0.0;
+  Slit lips_, lids_;
   std::array<double, 2> depthRange_{}, normalRange_{};
 };
 

@@ -15,10 +15,12 @@ struct MotionBasis::BoundPart {
   const AnimationEntry* entry;
   const AnimationPart* part;
   Eigen::VectorXd weights;
-  Eigen::VectorXd atFeature;  ///< empty when the feature point lies on another curve
-  bool parts;                 ///< moves one side of a contact only
-  int axis;                   ///< 0, 1 or 2: the direction in which it moves most
+  Eigen::MatrixXd conditions;  ///< cardinal weights where it is to have weight 1 exactly
+  bool parts;                  ///< moves one side of a contact only
+  int axis;                    ///< 0, 1 or 2: the direction in which it moves most
 
+  bool isRelated() const { return !entry->replaces.empty() || !entry->beyond.empty(); }
+  bool settlesAlone() const { return isRelated() || part->profile.followsGap(); }
   bool moves(int curve) const {
     return std::find(part->curves.begin(), part->curves.end(), curve) != part->curves.end();
   }
@@ -60,6 +62,18 @@ Eigen::VectorXd weightsOnCurve(const AnimationPart& part, const Eigen::VectorXd&
   return result;
 }
 
+/// A row of cardinal weights for the feature point of the FAP, if the part moves it, and for every other exact knot.
+Eigen::MatrixXd exactConditions(const FaceCurves& face, const FeaturePoint& feature, const AnimationPart& part) {
+  std::vector<double> places = part.profile.exactPlaces(face, part.curves);
+  if (std::count(part.curves.begin(), part.curves.end(), feature.curve)) places.push_back(feature.v);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  const int k = face.curves.pointsPerCurve;
+  Eigen::MatrixXd conditions(places.size(), k);
+  for (size_t i = 0; i < places.size(); ++i) conditions.row(i) = cardinalWeights(k, places[i]).transpose();
+  return conditions;
+}
+
 std::string named(int fap, const std::string& fault) {
   return "animation table: FAP " + std::to_string(fap) + ": " + fault;
 }
@@ -77,7 +91,6 @@ double FAPMotion::reach(double value) const {
 }
 
 std::string MotionBasis::collectParts(const FaceCurves& face, const AnimationTable& table, BoundParts& parts) {
-  const int k = face.curves.pointsPerCurve;
   for (const AnimationEntry& entry : table.entries()) {
     const std::string id(fapDefinition(entry.fap).featurePoint);
     const FeaturePoint* feature = face.feature(id);
@@ -88,7 +101,7 @@ std::string MotionBasis::collectParts(const FaceCurves& face, const AnimationTab
       BoundPart bound{&entry, &part, {}, {}, movesOneSide(part, table.contacts()), mainAxis(part)};
       const std::string fault = part.profile.sample(face, *feature, bound.weights);
       if (!fault.empty()) return named(entry.fap, fault);
-      if (bound.moves(feature->curve)) bound.atFeature = cardinalWeights(k, feature->v);
+      bound.conditions = exactConditions(face, *feature, part);
       found = found || bound.moves(feature->curve);
       parts.push_back(bound);
     }
@@ -99,29 +112,52 @@ std::string MotionBasis::collectParts(const FaceCurves& face, const AnimationTab
   return {};
 }
 
+/// A part that shares its points with no other. A bump of a few samples dips beside itself whatever its shape: it gets
+/// the least undershoot that lets it meet its feature point, and a sample beside the feature point may move a little
+/// further than it.
+bool MotionBasis::settleAlone(BoundPart& part) {
+  constexpr double worstUndershoot = 0.04;
+  constexpr double mostWeight = 1.02;
+  constexpr int sweeps = 1000;
+  for (double undershoot = StaggeredWeights::leastUndershoot; undershoot < worstUndershoot; undershoot *= 1.5) {
+    StaggeredWeights alone(undershoot, mostWeight);
+    alone.share({alone.add(part.weights, part.conditions, part.parts)});
+    if (alone.solve(sweeps) >= 0) continue;
+    part.weights = alone.weights(0);
+    return true;
+  }
+  return false;
+}
+
 /// Parts of one group that move one curve in one direction share its points.
-std::string MotionBasis::staggerParts(BoundParts& parts) {
+int MotionBasis::settleTogether(BoundParts& parts) {
   StaggeredWeights staggered;
-  std::vector<int> numberOf(parts.size(), -1), partOf;
+  std::vector<size_t> partOf;
   std::map<std::tuple<std::string, int, int>, std::vector<int>> sharing;
   for (size_t i = 0; i < parts.size(); ++i) {
     const BoundPart& part = parts[i];
-    if (part.part->profile.followsGap()) continue;
-    numberOf[i] = staggered.add(part.weights, part.atFeature, part.parts);
-    partOf.push_back(static_cast<int>(i));
+    if (part.settlesAlone()) continue;
+    const int number = staggered.add(part.weights, part.conditions, part.parts);
+    partOf.push_back(i);
     const bool alone = part.entry->group.empty();
     const std::string group = alone ? "FAP " + std::to_string(part.entry->fap) : part.entry->group;
-    for (int curve : part.part->curves) sharing[{group, part.axis, curve}].push_back(numberOf[i]);
+    for (int curve : part.part->curves) sharing[{group, part.axis, curve}].push_back(number);
   }
   for (const auto& [key, profiles] : sharing) staggered.share(profiles);
   const int fault = staggered.solve();
-  if (fault >= 0)
-    return named(
-        parts[partOf[fault]].entry->fap,
-        "its profile is too narrow for this face to move the feature point exactly; use more points per curve");
-  for (size_t i = 0; i < parts.size(); ++i)
-    if (numberOf[i] >= 0) parts[i].weights = staggered.weights(numberOf[i]);
-  return {};
+  if (fault >= 0) return parts[partOf[fault]].entry->fap;
+  for (size_t p = 0; p < partOf.size(); ++p) parts[partOf[p]].weights = staggered.weights(static_cast<int>(p));
+  return 0;
+}
+
+std::string MotionBasis::staggerParts(BoundParts& parts) {
+  int fault = settleTogether(parts);
+  for (BoundPart& part : parts)
+    if (fault == 0 && part.isRelated() && !part.part->profile.followsGap() && !settleAlone(part))
+      fault = part.entry->fap;
+  if (fault == 0) return {};
+  return named(fault,
+               "its profile is too narrow for this face to move the feature point exactly; use more points per curve");
 }
 
 int MotionBasis::groupNumber(const std::string& name) {

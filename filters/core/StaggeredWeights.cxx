@@ -10,11 +10,10 @@ namespace mien {
 
 namespace {
 
-constexpr int maximumSweeps = 20000;
 constexpr double precision = 1e-13;  ///< on weights: far below the 1e-9 mm asked of feature points
 constexpr double acceptable = 1e-11;
-/// A profile that ends at a sample is 0 there up to rounding. Taken for a weight, that sample would join the change on one side
-/// of the face and not on the other.
+/// A profile that ends at a sample is 0 there up to rounding. Taken for a weight, that sample would join the change on
+/// one side of the face and not on the other.
 constexpr double negligible = 1e-9;
 
 /// The inverse of D^T D on the samples where the profile is not 0, with D the second differences of a change
@@ -39,9 +38,9 @@ Eigen::MatrixXd smoothingOperator(const Eigen::VectorXd& weights) {
 
 }  // namespace
 
-int StaggeredWeights::add(const Eigen::VectorXd& weights, const Eigen::VectorXd& atFeature, bool parts) {
+int StaggeredWeights::add(const Eigen::VectorXd& weights, const Eigen::MatrixXd& conditions, bool parts) {
   const Eigen::VectorXd clean = (weights.array().abs() > negligible).select(weights, 0.0);
-  profiles_.push_back({clean, atFeature, smoothingOperator(clean), parts});
+  profiles_.push_back({clean, conditions, smoothingOperator(clean), parts});
   if (parts && columns_.size() == 0) columns_ = fineColumns(static_cast<int>(weights.size()));
   return static_cast<int>(profiles_.size()) - 1;
 }
@@ -50,17 +49,20 @@ void StaggeredWeights::share(const std::vector<int>& profiles) {
   if (std::find(sets_.begin(), sets_.end(), profiles) == sets_.end()) sets_.push_back(profiles);
 }
 
-/// Projects onto the profiles that interpolate to 1 at the feature point; gives the error there was.
-double StaggeredWeights::meetFeature(Profile& profile) const {
-  if (profile.atFeature.size() == 0) return 0.0;
-  const Eigen::VectorXd normal = profile.smoothing * profile.atFeature;
-  const double length = profile.atFeature.dot(normal);
-  const double error = 1.0 - profile.atFeature.dot(profile.weights);
-  if (length > 0.0) profile.weights += error / length * normal;
-  return std::abs(error);
+/// Projects onto the profiles that interpolate to 1 at each of the feature points; gives the largest error there was.
+double StaggeredWeights::meetConditions(Profile& profile) const {
+  double largest = 0.0;
+  for (Eigen::Index c = 0; c < profile.conditions.rows(); ++c) {
+    const Eigen::VectorXd normal = profile.smoothing * profile.conditions.row(c).transpose();
+    const double length = profile.conditions.row(c).dot(normal);
+    const double error = 1.0 - profile.conditions.row(c).dot(profile.weights);
+    if (length > 0.0) profile.weights += error / length * normal;
+    largest = std::max(largest, std::abs(error));
+  }
+  return largest;
 }
 
-/// Projects the weights of a set at one sample onto w >= 0, sum <= 1; gives the largest change.
+/// Projects the weights of a set at one sample onto w >= 0, sum <= most; gives the largest change.
 double StaggeredWeights::bound(const std::vector<int>& set, int sample) {
   double excess = 0.0;
   const auto sumAbove = [&](double level) {
@@ -69,10 +71,10 @@ double StaggeredWeights::bound(const std::vector<int>& set, int sample) {
     return sum;
   };
   // The level is found from below: each step is exact when no further weight drops to 0.
-  for (size_t step = 0; step < set.size() && sumAbove(excess) > 1.0; ++step) {
+  for (size_t step = 0; step < set.size() && sumAbove(excess) > most_; ++step) {
     int positive = 0;
     for (int p : set) positive += profiles_[p].weights[sample] > excess;
-    excess += (sumAbove(excess) - 1.0) / positive;
+    excess += (sumAbove(excess) - most_) / positive;
   }
   double change = 0.0;
   for (int p : set) {
@@ -94,7 +96,7 @@ double StaggeredWeights::liftBetweenSamples(Profile& profile) const {
   int dips = 0;
   for (int first = 0; first < values.size(); first += columnsPerSample) {
     Eigen::Index lowest;
-    const double dip = -undershoot - values.segment(first, columnsPerSample).minCoeff(&lowest);
+    const double dip = -undershoot_ - values.segment(first, columnsPerSample).minCoeff(&lowest);
     if (dip <= 0.0) continue;
     const Eigen::VectorXd normal = profile.smoothing * columns_.row(first + lowest).transpose();
     const double length = columns_.row(first + lowest).dot(normal);
@@ -112,19 +114,20 @@ double StaggeredWeights::sweep() {
   double error = 0.0;
   for (Profile& profile : profiles_) {
     error = std::max(error, liftBetweenSamples(profile));
-    error = std::max(error, meetFeature(profile));
+    error = std::max(error, meetConditions(profile));
   }
   for (const auto& set : sets_)
     for (int j = 0; j < profiles_[set.front()].weights.size(); ++j) error = std::max(error, bound(set, j));
   return error;
 }
 
-int StaggeredWeights::solve() {
+int StaggeredWeights::solve(int maximumSweeps) {
   for (int i = 0; i < maximumSweeps && sweep() > precision; ++i) continue;
   for (size_t p = 0; p < profiles_.size(); ++p) {
     const Profile& profile = profiles_[p];
-    if (profile.atFeature.size() > 0 && !(std::abs(profile.atFeature.dot(profile.weights) - 1.0) < acceptable))
-      return static_cast<int>(p);
+    const Eigen::VectorXd errors =
+        profile.conditions * profile.weights - Eigen::VectorXd::Ones(profile.conditions.rows());
+    if (errors.size() > 0 && !(errors.cwiseAbs().maxCoeff() < acceptable)) return static_cast<int>(p);
   }
   return -1;
 }

@@ -8,11 +8,11 @@
 
 namespace mien {
 
-/// What a point needs to know of the region map; normals and sides are optional (1 and 0).
+/// What a point needs to know of the region map; normals and sides are optional (1 and none).
 struct DeformationPoint {
   Eigen::Vector3d position;  ///< in the face's own unit
   double normalZ = 1.0;      ///< of the unit normal
-  LipSide side = 0.0;
+  FaceSide side;
 };
 
 /// Moves the points of one face by tables; the weights of the regions are computed once.

@@ -1,22 +1,20 @@
 #include "TableFit.h"
 
-#include "NumberText.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "FaceSides.h"
+#include "NumberText.h"
 
 namespace mien {
 
 namespace {
 
-/// 1 for the upper lip's landmarks between the mouth corners, -1 for the lower lip's, 0 for every other marker.
-LipSide lipSideOf(const std::string& name) {
-  if (name.rfind("landmark", 0) != 0) return 0.0;
+/// The side of a marker that is one of the 68 landmarks, told by its name.
+FaceSide sideOf(const std::string& name) {
+  if (name.rfind("landmark", 0) != 0) return {};
   const auto number = parseWholeNumber(std::string_view(name).substr(8));
-  if (!number) return 0.0;
-  const auto within = [&](int first, int last) { return *number >= first && *number <= last; };
-  if (within(49, 53) || within(61, 63)) return 1.0;
-  return within(55, 59) || within(65, 67) ? -1.0 : 0.0;
+  return number && *number >= 0 && *number < 68 ? landmarkSide(static_cast<int>(*number)) : FaceSide();
 }
 
 std::string listed(const std::vector<int>& regions) {
@@ -25,7 +23,7 @@ std::string listed(const std::vector<int>& regions) {
   return text;
 }
 
-QuadraticFit fitRegion(const TableSamples& samples, int region) {
+QuadraticFit fitRegion(const TableSamples& samples, int region, double noise) {
   const Eigen::Index count = std::count(samples.regions.begin(), samples.regions.end(), region);
   PlanePoints before(count, 2), after(count, 2);
   for (std::size_t i = 0, row = 0; i < samples.regions.size(); ++i) {
@@ -33,7 +31,19 @@ QuadraticFit fitRegion(const TableSamples& samples, int region) {
     before.row(row) = samples.before.row(i);
     after.row(row++) = samples.after.row(i);
   }
-  return fitQuadraticMap(before, after);
+  return fitQuadraticMap(before, after, noise);
+}
+
+/// Standard deviation of a coordinate about the maps, over the regions that determine their maps.
+double noiseOf(const std::array<QuadraticFit, FacialRegions::count>& regions) {
+  double squares = 0.0;
+  int freedom = 0;
+  for (const QuadraticFit& region : regions) {
+    if (region.sparse()) continue;
+    squares += region.points * region.rms * region.rms;
+    freedom += 2 * (region.points - region.rank);
+  }
+  return freedom > 0 ? std::sqrt(squares / freedom) : 0.0;
 }
 
 std::string describeFault(const TableSamples& samples) {
@@ -56,8 +66,8 @@ TableSamples samplesOf(const MarkerTable& markers, const FacialRegions& regions)
     const Marker& marker = markers.markers[i];
     samples.before.row(i) = markers.neutral.apply(marker.neutral).head<2>();
     samples.after.row(i) = markers.expression.apply(marker.expression).head<2>();
-    samples.regions.push_back(
-        marker.region ? marker.region : regions.nearest(samples.before.row(i), lipSideOf(marker.name)));
+    samples.regions.push_back(marker.region ? marker.region
+                                            : regions.nearest(samples.before.row(i), sideOf(marker.name)));
   }
   return samples;
 }
@@ -69,20 +79,29 @@ std::vector<int> TableFit::sparseRegions() const {
   return sparse;
 }
 
+std::string TableFit::warning() const {
+  const std::vector<int> sparse = this->sparseRegions();
+  if (sparse.empty()) return {};
+  return listed(sparse) + (sparse.size() == 1 ? " has" : " have") +
+         " fewer than 6 independent points and lean on an affine fit; add markers there";
+}
+
 std::string TableFit::fit(const TableSamples& samples, bool strict) {
   const std::string fault = describeFault(samples);
   if (!fault.empty()) return fault;
   TableFit result;
+  for (int i = 0; i < FacialRegions::count; ++i) result.regions[i] = fitRegion(samples, i + 1, 0.0);
+  result.noise = noiseOf(result.regions);
   double squares = 0.0;
   for (int i = 0; i < FacialRegions::count; ++i) {
-    const QuadraticFit& region = result.regions[i] = fitRegion(samples, i + 1);
+    QuadraticFit& region = result.regions[i];
+    if (region.weak()) region = fitRegion(samples, i + 1, result.noise);
     result.table.maps[i] = region.map;
     result.table.largestDisplacement = std::max(result.table.largestDisplacement, region.largestDisplacement);
     squares += region.points * region.rms * region.rms;
   }
   result.rms = std::sqrt(squares / double(samples.regions.size()));
-  const std::vector<int> sparse = result.sparseRegions();
-  if (strict && !sparse.empty()) return listed(sparse) + " has fewer than 6 independent points; add markers there";
+  if (strict && !result.sparseRegions().empty()) return result.warning();
   *this = result;
   return {};
 }

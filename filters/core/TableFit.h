@@ -1,12 +1,12 @@
 #pragma once
 
-#include "FacialRegions.h"
-#include "MarkerTable.h"
-#include "QuadraticFit.h"
-
 #include <array>
 #include <string>
 #include <vector>
+
+#include "FacialRegions.h"
+#include "MarkerTable.h"
+#include "QuadraticFit.h"
 
 namespace mien {
 
@@ -16,16 +16,20 @@ struct TableSamples {
   std::vector<int> regions;
 };
 
-/// The samples of a recording. The region of a marker is the file's, else that of its place; landmarks 49-53 and 61-63 of
-/// the 68 of Multi-PIE belong to the upper lip and 55-59 and 65-67 to the lower.
+/// The samples of a recording. The region of a marker is the file's, else that of its place; of the 68 landmarks of
+/// Multi-PIE 49-53 and 61-63 belong to the upper lip, 55-59 and 65-67 to the lower, 37, 38, 43, 44 to the upper lids
+/// and 40, 41, 46, 47 to the lower.
 TableSamples samplesOf(const MarkerTable& markers, const FacialRegions& regions);
 
 /// A table fitted to one recording.
 struct TableFit {
   DeformationTable table;
   std::array<QuadraticFit, FacialRegions::count> regions;
-  double rms = 0.0;                   ///< over all points, pupil units
+  double rms = 0.0;    ///< over all points, pupil units
+  double noise = 0.0;  ///< standard deviation of a coordinate about the maps, pupil units
+
   std::vector<int> sparseRegions() const;  ///< regions with fewer than six independent points
+  std::string warning() const;             ///< one sentence that names the sparse regions, or nothing
 
   /// @return nothing, or one sentence that names the regions without points, or (strict) the sparse ones
   std::string fit(const TableSamples& samples, bool strict = false);

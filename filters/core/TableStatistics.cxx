@@ -10,33 +10,6 @@ namespace {
 using Coefficients = QuadraticMap::Coefficients;
 constexpr int regionCount = DeformationTable::regionCount;
 
-// A coefficient that never varied among the subjects must not decide alone.
-constexpr double smallestDeviation = 1e-3;
-
-DeformationTable::Deviations pooledDeviations(const std::vector<DeformationTable>& means) {
-  DeformationTable::Deviations pooled;
-  for (int i = 0; i < regionCount; ++i) {
-    pooled[i].setZero();
-    for (const DeformationTable& mean : means) pooled[i] += mean.deviations->at(i).cwiseAbs2();
-    pooled[i] = (pooled[i] / double(means.size())).cwiseSqrt().cwiseMax(smallestDeviation);
-  }
-  return pooled;
-}
-
-RecognitionScore score(const DeformationTable& table, const DeformationTable& mean,
-                       const DeformationTable::Deviations& deviations) {
-  RecognitionScore result;
-  double sum = 0.0;
-  for (int i = 0; i < regionCount; ++i) {
-    const Coefficients difference = table.maps[i].coefficients - mean.maps[i].coefficients;
-    const double squares = difference.cwiseQuotient(deviations[i]).cwiseAbs2().array().log1p().sum();
-    result.regions[i] = std::sqrt(squares / 12.0);
-    sum += squares;
-  }
-  result.distance = std::sqrt(sum / (12.0 * regionCount));
-  return result;
-}
-
 }  // namespace
 
 DeformationTable meanTable(const std::vector<DeformationTable>& tables) {
@@ -65,23 +38,6 @@ std::vector<int> outsideRange(const DeformationTable& fit, const DeformationTabl
     if (std::abs(difference) > mean.deviations->at(region)(row, column)) outside.push_back(i);
   }
   return outside;
-}
-
-std::string recognise(const DeformationTable& table, const std::vector<DeformationTable>& means,
-                      std::vector<RecognitionScore>& scores) {
-  if (means.empty()) return "there is no table to compare with; give the mean tables of the expressions";
-  for (std::size_t i = 0; i < means.size(); ++i)
-    if (!means[i].deviations)
-      return "table " + std::to_string(i + 1) + " has no standard deviations; give means over several subjects";
-  const DeformationTable::Deviations deviations = pooledDeviations(means);
-  scores.clear();
-  for (std::size_t i = 0; i < means.size(); ++i) {
-    scores.push_back(score(table, means[i], deviations));
-    scores.back().expression = static_cast<int>(i);
-  }
-  std::stable_sort(scores.begin(), scores.end(),
-                   [](const RecognitionScore& a, const RecognitionScore& b) { return a.distance < b.distance; });
-  return {};
 }
 
 }  // namespace mien

@@ -27,6 +27,8 @@ std::string placeKnots(const std::vector<ProfileKnot>& knots, const FaceCurves& 
     const FeaturePoint* feature = firstKnown(face, knot.feature);
     if (!feature) return "the face has no feature point " + knot.feature;
     const double v = knot.offset + feature->v;
+    const bool again = !placed.empty() && placed.back().v == v && placed.back().weight == knot.weight;
+    if (again) placed.pop_back();  // "2.4|8.3" beside 8.3 on a face without 2.4
     if (!placed.empty() && !(placed.back().v < v))
       return "the knots of its profile do not ascend in v on this face, at the one of feature point " + knot.feature;
     placed.push_back({v, knot.weight, knot.shape});
@@ -101,6 +103,15 @@ std::string sampleGap(const WeightProfile& profile, const FaceCurves& face, cons
 }
 
 }  // namespace
+
+std::vector<double> WeightProfile::exactPlaces(const FaceCurves& face, const std::vector<int>& curves) const {
+  std::vector<double> places;
+  for (const ProfileKnot& knot : knots) {
+    const FeaturePoint* feature = knot.weight == 1.0 && knot.offset == 0.0 ? firstKnown(face, knot.feature) : nullptr;
+    if (feature && std::count(curves.begin(), curves.end(), feature->curve) > 0) places.push_back(feature->v);
+  }
+  return places;
+}
 
 std::string WeightProfile::sample(const FaceCurves& face, const FeaturePoint& feature, Eigen::VectorXd& weights) const {
   const int k = face.curves.pointsPerCurve;

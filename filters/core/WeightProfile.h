@@ -37,6 +37,9 @@ struct WeightProfile {
 
   bool followsGap() const { return gapUpper >= 0; }
 
+  /// Where along v the curve is to have weight 1 exactly: the feature points on the curves moved whose knot has it.
+  std::vector<double> exactPlaces(const FaceCurves& face, const std::vector<int>& curves) const;
+
   /// The weights at the K samples of the curves of this face; `feature` is the one the FAP moves.
   /// @return nothing, or one sentence that says what the face lacks
   std::string sample(const FaceCurves& face, const FeaturePoint& feature, Eigen::VectorXd& weights) const;

@@ -40,8 +40,8 @@ std::string readPoints(vtkPointSet* data, std::vector<mien::DeformationPoint>& p
     mien::DeformationPoint& point = points[i];
     data->GetPoint(i, point.position.data());
     if (normals) point.normalZ = normals->GetComponent(i, 2);
-    if (sides) point.side = sides->GetComponent(i, 0);
-    if (!point.position.allFinite() || !std::isfinite(point.normalZ) || !std::isfinite(point.side))
+    if (sides) point.side.lips = sides->GetComponent(i, 0);
+    if (!point.position.allFinite() || !std::isfinite(point.normalZ) || !std::isfinite(point.side.lips))
       return "point " + std::to_string(i) + " has a position, normal or lip side that is not finite; repair the mesh";
   }
   return {};

@@ -1,23 +1,30 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "AnimationTable.h"
 #include "DataFile.h"
 #include "ExpressionLibrary.h"
 #include "FAPTable.h"
 
 using namespace mien;
 
-TEST(ExpressionLibrary, TheDefaultHasSixSymmetricExpressionsOfThePapersFaps) {
+TEST(ExpressionLibrary, TheDefaultHasSixSymmetricTreesOfFapsThatTheTableMoves) {
   ExpressionLibrary library;
   ASSERT_EQ(library.parse(readDataFile("animation/expressions.json")), "");
   ASSERT_EQ(library.expressions().size(), 6u);
-  const std::vector<int> subset = paperSubset();
+  AnimationTable table;
+  ASSERT_EQ(table.parse(readDataFile("animation/animation_table.json")), "");
   int select = 0;
   for (const ExpressionProfile& expression : library.expressions()) {
     EXPECT_EQ(expression.select, ++select);
     EXPECT_FALSE(expression.definition.empty());
-    for (const auto& [fap, value] : expression.values) EXPECT_EQ(std::count(subset.begin(), subset.end(), fap), 1);
+    EXPECT_GE(expression.actions.size(), 3u);
+    size_t leaves = 0;
+    for (const FacialAction& action : expression.actions) {
+      EXPECT_FALSE(action.name.empty());
+      leaves += action.values.size();
+    }
+    EXPECT_EQ(leaves, expression.values.size());
+    for (const auto& [fap, value] : expression.values) EXPECT_NE(table.entry(fap), nullptr) << fap;
     FAPFrame frame;
     library.add(expression.name, 1.0, frame);
     EXPECT_FALSE(frame.isNeutral());
@@ -35,6 +42,22 @@ TEST(ExpressionLibrary, AddsWithIntensity) {
   EXPECT_TRUE(library.add("joy", 0.5, half));
   EXPECT_DOUBLE_EQ(half.value(53), 10.0 + 0.5 * full.value(53));
   EXPECT_FALSE(library.add("boredom", 1.0, half));
+}
+
+TEST(ExpressionLibrary, ReadsVersionOneWithoutActions) {
+  ExpressionLibrary library;
+  ASSERT_EQ(library.parse(R"({"format": "mien visemes", "version": 1, "expressions": [{"name": "a", "select": 1,
+    "definition": "d", "faps": {"52": -90}}]})"),
+            "");
+  ASSERT_EQ(library.expressions()[0].actions.size(), 1u);
+  EXPECT_EQ(library.expressions()[0].values, (std::vector<std::pair<int, double>>{{52, -90.0}}));
+}
+
+TEST(ExpressionLibrary, RefusesAFapInTwoActions) {
+  ExpressionLibrary library;
+  const std::string text = R"({"format": "mien expressions", "version": 2, "expressions": [{"name": "joy", "select": 1,
+    "definition": "d", "actions": [{"name": "a", "faps": {"52": 1}}, {"name": "b", "faps": {"52": 1}}]}]})";
+  EXPECT_NE(library.parse(text).find("joy: FAP 52 stands in two places"), std::string::npos);
 }
 
 TEST(ExpressionLibrary, RefusesFaultsAndNamesTheExpression) {

@@ -31,17 +31,3 @@ TEST(TableStatistics, TellsWhatIsOutsideTheRange) {
   ASSERT_EQ(outside.size(), 16u);
   EXPECT_EQ(outside[2], 2 * 12 + 11);
 }
-
-TEST(TableStatistics, RecognisesTheNearestMean) {
-  const std::vector<DeformationTable> means = {meanTable({shifted(0.1), shifted(0.3)}),
-                                               meanTable({shifted(-0.1), shifted(-0.3)})};
-  std::vector<RecognitionScore> scores;
-  ASSERT_EQ(recognise(shifted(-0.15), means, scores), "");
-  EXPECT_EQ(scores[0].expression, 1);
-  EXPECT_LT(scores[0].distance, scores[1].distance);
-  ASSERT_EQ(recognise(means[0], means, scores), "");
-  EXPECT_EQ(scores[0].expression, 0);
-  EXPECT_EQ(scores[0].distance, 0.0);
-  EXPECT_NE(recognise(means[0], {shifted(0.1)}, scores), "");
-  EXPECT_NE(recognise(means[0], {}, scores), "");
-}

@@ -8,6 +8,7 @@
 #include "FAPTable.h"
 #include "FaceAnimator.h"
 #include "FineColumns.h"
+#include "FoldedCells.h"
 #include "FAPAxis.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
@@ -27,6 +28,15 @@ class GenericFaceAnimation : public testing::Test {
     AnimationTable table;
     ASSERT_EQ(readAnimationTable("", table), "");
     ASSERT_EQ(animator.bind(face, table), "");
+  }
+
+  /// In the spline scheme at 224 x 160, z > 50 mm.
+  int foldedCells(const FAPFrame& frame) {
+    FaceCurves moved = face;
+    moved.curves = animator.animate(frame);
+    FaceSurfaceOptions options;
+    options.scheme = "spline";
+    return FoldedCells(FaceSample(moved, options, 224, 160)).count();
   }
 
   FaceCurves face;
@@ -73,7 +83,8 @@ TEST_F(GenericFaceAnimation, MirroredFapsGiveMirroredCurves) {
   const int k = face.curves.pointsPerCurve;
   for (int trial = 0; trial < 50; ++trial) {
     FAPFrame frame;
-    for (int fap : paperSubset()) frame.setValue(fap, values(random));
+    for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
+      if (animator.basis().motion(fap)) frame.setValue(fap, values(random));
     const ClosedCurves moved = animator.animate(frame);
     const ClosedCurves& other = animator.animate(mirrored(frame));
     double largest = 0.0;
@@ -138,14 +149,17 @@ TEST_F(GenericFaceAnimation, AllFapsOfTheTableAreExactAloneAndNeverCrossTogether
   const Eigen::MatrixXd columns = fineColumns(face.curves.pointsPerCurve);
   AnimationTable table;
   ASSERT_EQ(readAnimationTable("", table), "");
-  for (const AnimationEntry& entry : table.entries()) {
-    FAPFrame frame;
-    frame.setValue(entry.fap, 100.0);
-    const ClosedCurves& moved = animator.animate(frame);
-    const FeaturePoint* feature = face.feature(std::string(fapDefinition(entry.fap).featurePoint));
-    const Eigen::Vector3d shift = moved.at(feature->curve, feature->v) - face.curves.at(feature->curve, feature->v);
-    EXPECT_NEAR(shift.norm(), 100.0 * animator.units().perValue(fapDefinition(entry.fap).unit), 1e-9) << entry.fap;
-  }
+  for (const AnimationEntry& entry : table.entries())
+    for (double value : {1.0, 100.0, -100.0, -200.0}) {
+      FAPFrame frame;
+      frame.setValue(entry.fap, value);
+      const ClosedCurves& moved = animator.animate(frame);
+      const FeaturePoint* feature = face.feature(std::string(fapDefinition(entry.fap).featurePoint));
+      const Eigen::Vector3d shift = moved.at(feature->curve, feature->v) - face.curves.at(feature->curve, feature->v);
+      const Eigen::Vector3d expected =
+          value * animator.units().perValue(fapDefinition(entry.fap).unit) * fapAxis(entry.fap);
+      EXPECT_LT((shift - expected).norm(), 1e-9) << "FAP " << entry.fap << " = " << value;
+    }
   std::mt19937 random(5);
   std::uniform_real_distribution<double> values(-600.0, 600.0);
   for (int trial = 0; trial < 1000; ++trial) {
@@ -159,6 +173,29 @@ TEST_F(GenericFaceAnimation, AllFapsOfTheTableAreExactAloneAndNeverCrossTogether
       ASSERT_GE((columns * gap(moved.curves, upper)).minCoeff(), -0.1);
     }
   }
+}
+
+TEST_F(GenericFaceAnimation, BrowsAreSqueezedWithoutFolds) {
+  const int neutral = foldedCells(FAPFrame());
+  for (double right : {0.0, 100.0}) {
+    FAPFrame frame;
+    frame.setValue(37, 100.0);
+    frame.setValue(38, right);
+    EXPECT_LE(foldedCells(frame), neutral + 5) << right;
+    EXPECT_EQ(animator.pushed(), 0.0);
+    frame.setValue(37, -100.0);
+    EXPECT_LE(foldedCells(frame), neutral + 5) << right;
+  }
+}
+
+TEST_F(GenericFaceAnimation, ExpressionsAndVisemesAddNoMoreThanAHandfulOfFoldedCells) {
+  const int neutral = foldedCells(FAPFrame());
+  for (const ExpressionLibrary* library : {&defaultExpressions(), &defaultVisemes()})
+    for (const ExpressionProfile& expression : library->expressions()) {
+      FAPFrame frame;
+      library->add(expression.name, 1.0, frame);
+      EXPECT_LE(foldedCells(frame), neutral + 5) << expression.name;
+    }
 }
 
 TEST_F(GenericFaceAnimation, OneIrisDiameterClosesTheEye) {

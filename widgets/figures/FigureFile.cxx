@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "FigureMetadata.h"
 #include "FigureTheme.h"
 
 namespace mien {
@@ -108,8 +109,8 @@ bool FigureFile::writeSVG(const std::string& name, const QSizeF& size, const Dra
   svg.setResolution(qRound(unitsPerInch));
   svg.setSize(size.toSize());
   svg.setViewBox(QRectF(QPointF(), size));
-  svg.setTitle(QString::fromStdString(title_));
-  svg.setDescription(QString::fromStdString(description_));
+  svg.setTitle(QString::fromStdString(title_).toHtmlEscaped());  // Qt writes them as they are
+  svg.setDescription(QString::fromStdString(description_).toHtmlEscaped());
   draw(svg, 1.0, content);
   QByteArray bytes = buffer.data();
   nameOtherFonts(bytes);
@@ -127,6 +128,7 @@ bool FigureFile::writePDF(const std::string& name, const QSizeF& size, const Dra
     pdf.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
     pdf.setTitle(QString::fromStdString(title_));
     pdf.setCreator(QStringLiteral("Mien"));
+    pdf.setDocumentXmpMetadata(FigureMetadata{title_, description_}.xmp());
     draw(pdf, 1.0, content);
   }
   QByteArray bytes = buffer.data();
@@ -142,8 +144,8 @@ bool FigureFile::writePNG(const std::string& name, const QSizeF& size, const Dra
   draw(image, scale, content);
   image.setDotsPerMeterX(qRound(dotsPerInch_ / 0.0254));
   image.setDotsPerMeterY(qRound(dotsPerInch_ / 0.0254));
-  image.setText("Title", QString::fromStdString(title_));
-  image.setText("Description", QString::fromStdString(description_));
+  image.setText("Title", FigureMetadata::oneLine(title_));
+  image.setText("Description", FigureMetadata::oneLine(description_));
   image.setText("Software", "Mien");
   return image.save(QString::fromStdString(name), "PNG");
 }

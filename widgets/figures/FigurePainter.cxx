@@ -4,29 +4,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "TextLines.h"
+#include "PanelLabel.h"
 
 namespace mien {
 
 namespace {
 
-constexpr double border = 1.5;        // mm
+constexpr double border = FigureWords::border;
 constexpr double leastPanel = 38.0;   // mm: narrower panels have no room for three numbers on their x axis
 constexpr double leastHeight = 24.0;  // mm, of a plot
 constexpr double plotShape = 0.55;    // height over width of a panel's plot ...
 constexpr double mostHeight = 65.0;   // mm: ... until that is taller than a figure on a page should be
 constexpr double columnGap = 3.0;     // mm
 constexpr double rowGap = 3.0;        // mm
-constexpr double titleSize = 8.5, captionSize = 7.0, noteSize = 6.0;  // pt
 
 double units(double millimetres) {
   return millimetres * figureUnitsPerMillimetre;
-}
-
-QString panelLabel(size_t index, size_t count) {
-  if (count < 2) return {};
-  const QChar letter('a' + static_cast<char>(index % 26));
-  return '(' + (index < 26 ? QString() : QString::number(index / 26)) + letter + ')';
 }
 
 }  // namespace
@@ -36,10 +29,8 @@ FigurePainter::FigurePainter(const Figure& figure, const FigureTheme& theme, dou
       theme_(theme),
       size_(units(width), 0.0),
       inner_(units(width - 2.0 * border)),
-      legend_(figure, theme, inner_) {
-  title_ = textLines(figureFont(titleSize, true), QString::fromStdString(figure.title), inner_);
-  caption_ = textLines(figureFont(captionSize), QString::fromStdString(figure.caption), inner_);
-  note_ = textLines(figureFont(noteSize), QString::fromStdString(figure.note), inner_);
+      legend_(figure, theme, inner_),
+      words_(figure.title, figure.caption, figure.note, width) {
   for (size_t i = 0; i < figure.panels.size(); ++i)
     panels_.emplace_back(figure.panels[i], theme, panelLabel(i, figure.panels.size()));
   layOut(units(height));
@@ -54,10 +45,6 @@ int FigurePainter::columnCount() const {
   return figure_.columns > 0 ? columns : (count + rows - 1) / rows;  // no row with a single panel beside full ones
 }
 
-double FigurePainter::textHeight() const {
-  return caption_.size() * lineHeight(figureFont(captionSize)) + note_.size() * lineHeight(figureFont(noteSize));
-}
-
 int FigurePainter::rowCount() const {
   const int columns = columnCount();
   return (static_cast<int>(panels_.size()) + columns - 1) / columns;
@@ -69,17 +56,16 @@ double FigurePainter::cellWidth() const {
 }
 
 void FigurePainter::layOut(double height) {
-  legendTop_ =
-      units(border) + title_.size() * lineHeight(figureFont(titleSize)) + (title_.isEmpty() ? 0.0 : units(0.8));
+  legendTop_ = units(border) + words_.titleHeight();
   const double top = legendTop_ + legend_.height() + units(1.2);
-  const double below = (textHeight() > 0.0 ? units(2.0) : 0.0) + textHeight() + units(border);
+  const double below = (words_.belowHeight() > 0.0 ? units(2.0) : 0.0) + words_.belowHeight() + units(border);
   const int rows = rowCount();
   const double gaps = std::max(0, rows - 1) * units(rowGap);
   const double wantedPlot = std::min(std::max(units(leastHeight), plotShape * cellWidth()), units(mostHeight));
   const ChartPainter::Margins margins = commonMargins(wantedPlot);
   const double wanted = top + rows * (margins.top + wantedPlot + margins.bottom) + gaps + below;
   size_.setHeight(std::ceil(height > 0.0 ? height : wanted));
-  textTop_ = size_.height() - units(border) - textHeight();
+  textTop_ = size_.height() - units(border) - words_.belowHeight();
   placePanels(top, (size_.height() - top - below - gaps) / std::max(1, rows), margins);
 }
 
@@ -105,24 +91,13 @@ void FigurePainter::placePanels(double top, double cellHeight, const ChartPainte
   }
 }
 
-double FigurePainter::paintLines(QPainter& painter, const QFont& font, const QStringList& lines, double y) const {
-  painter.setFont(font);
-  painter.setPen(theme_.text);
-  for (const QString& line : lines) {
-    painter.drawText(QPointF(units(border), y + 0.95 * font.pixelSize()), line);
-    y += lineHeight(font);
-  }
-  return y;
-}
-
 void FigurePainter::paint(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   if (theme_.background.isValid()) painter.fillRect(QRectF(QPointF(), size_), theme_.background);
-  paintLines(painter, figureFont(titleSize, true), title_, units(border));
+  words_.paintTitle(painter, theme_);
   legend_.paint(painter, QPointF(units(border), legendTop_));
   for (const ChartPainter& panel : panels_) panel.paint(painter);
-  const double y = paintLines(painter, figureFont(captionSize), caption_, textTop_);
-  paintLines(painter, figureFont(noteSize), note_, y);
+  words_.paintBelow(painter, theme_, textTop_);
 }
 
 }  // namespace mien

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <QSizeF>
-#include <QStringList>
 
 #include "ChartPainter.h"
 #include "Figure.h"
+#include "FigureWords.h"
 #include "LegendPainter.h"
 
 namespace mien {
@@ -34,15 +34,13 @@ class FigurePainter {
   int rowCount() const;
   double cellWidth() const;
   ChartPainter::Margins commonMargins(double plotHeight) const;
-  double textHeight() const;
-  double paintLines(QPainter& painter, const QFont& font, const QStringList& lines, double y) const;
 
   Figure figure_;
   FigureTheme theme_;
   QSizeF size_;
   double inner_;  ///< width without the border
   LegendPainter legend_;
-  QStringList title_, caption_, note_;
+  FigureWords words_;
   std::vector<ChartPainter> panels_;
   double legendTop_ = 0.0, textTop_ = 0.0;
 };

@@ -1,6 +1,6 @@
-#include "LipSides.h"
-
 #include <gtest/gtest.h>
+
+#include "FaceSides.h"
 
 using namespace mien;
 
@@ -28,21 +28,32 @@ struct SlitSquare {
 
 }  // namespace
 
-TEST(LipSides, JumpsAcrossTheSlitOnly) {
+TEST(FaceSides, JumpAcrossTheSlitOnly) {
   const SlitSquare square;
-  const auto sides = lipSides(square.vertices, square.edges, {square.at(10, 10)}, {square.below(10)}, 5.0);
+  const auto sides = slitSides(square.vertices, square.edges, {{square.at(10, 10)}, {square.below(10)}, 5.0, 8.0});
   EXPECT_EQ(sides[square.at(10, 10)], 1.0);
   EXPECT_EQ(sides[square.below(10)], -1.0);
   EXPECT_EQ(sides[square.at(5, 10)], 0.0) << "the corner";
   EXPECT_EQ(sides[square.at(2, 10)], 0.0) << "beside the corner";
-  EXPECT_GT(sides[square.at(10, 7)], 0.99);
-  EXPECT_LT(sides[square.at(10, 13)], -0.99);
-  // An edge of length 1 changes each of two distances by at most 1.
-  for (const auto& edge : square.edges) EXPECT_LE(std::abs(sides[edge[0]] - sides[edge[1]]), 0.4 + 1e-12);
+  EXPECT_GT(sides[square.at(10, 9)], 0.9);
+  EXPECT_LT(sides[square.at(10, 11)], -0.9);
+  EXPECT_EQ(sides[square.at(10, 1)], 0.0) << "beyond the reach";
+  // An edge of length 1 changes each of two distances by at most 1, and fading by at most 1.5 / 8.
+  for (const auto& edge : square.edges) EXPECT_LE(std::abs(sides[edge[0]] - sides[edge[1]]), 0.4 + 1.5 / 8);
 }
 
-TEST(LipSides, WhatIsNotConnectedHasNoSide) {
+TEST(FaceSides, WhatIsNotConnectedHasNoSide) {
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> vertices(3, 3);
   vertices << 0, 0, 0, 1, 0, 0, 5, 0, 0;
-  EXPECT_EQ(lipSides(vertices, {{0, 1}}, {0}, {1}, 1.0), (std::vector<LipSide>{1.0, -1.0, 0.0}));
+  EXPECT_EQ(slitSides(vertices, {{0, 1}}, {{0}, {1}, 1.0, 9.0}), (std::vector<double>{1.0, -1.0, 0.0}));
+}
+
+TEST(FaceSides, LandmarksHaveTheirSide) {
+  EXPECT_EQ(landmarkSide(62).lips, 1.0);
+  EXPECT_EQ(landmarkSide(57).lips, -1.0);
+  EXPECT_EQ(landmarkSide(48).lips, 0.0) << "a corner";
+  EXPECT_EQ(landmarkSide(44).lids, 1.0);
+  EXPECT_EQ(landmarkSide(41).lids, -1.0);
+  EXPECT_EQ(landmarkSide(42).lids, 0.0) << "a corner";
+  EXPECT_EQ(landmarkSide(20).lids, 0.0);
 }

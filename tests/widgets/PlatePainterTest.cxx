@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <QPainter>
+
+#include "FigureApplication.h"
+#include "FigureFile.h"
+#include "PicturePanel.h"
+#include "PlaneDrawingPainter.h"
+#include "PlatePainter.h"
+#include "TemporaryFolder.h"
+#include "TextFile.h"
+#include "TextTable.h"
+
+namespace {
+
+using mien::PlaneDrawing;
+using mien::Plate;
+
+/// A drawing of the unit square, 10 by 5 in the plane.
+PlaneDrawing rectangle() {
+  PlaneDrawing drawing;
+  drawing.lines.push_back({QPolygonF({{0, 0}, {10, 0}, {10, 5}, {0, 5}}), {}, true});
+  drawing.labels.push_back({{5, 5}, "C22'"});
+  return drawing;
+}
+
+class PlatePainter : public testing::Test {
+ protected:
+  mien::FigureApplication application_;
+
+  static mien::PlatePainter painter(const Plate& plate, double width = 85.0) {
+    return mien::PlatePainter(plate, *mien::FigureTheme::find("light"), width);
+  }
+
+  static std::string svg(const Plate& plate) {
+    const TemporaryFolder folder;
+    const mien::PlatePainter drawn = painter(plate);
+    EXPECT_EQ(mien::FigureFile(folder.file("plate.svg")).write(drawn.size(), [&](QPainter& p) { drawn.paint(p); }), "");
+    return readTextFile(folder.file("plate.svg"));
+  }
+};
+
+TEST_F(PlatePainter, PanelsFillTheirColumnsAndKeepTheirShape) {
+  Plate plate;
+  plate.columns = 2;
+  plate.panels = {drawingPanel("one", rectangle()), drawingPanel("two", rectangle()), drawingPanel("", rectangle())};
+  plate.panels[2].span = 2;
+  const mien::PlatePainter drawn = painter(plate);
+  const std::vector<QRectF>& places = drawn.places();
+  for (size_t i = 0; i < places.size(); ++i)
+    EXPECT_NEAR(places[i].height() / places[i].width(), plate.panels[i].shape, 1e-9);
+  EXPECT_EQ(places[0].top(), places[1].top());
+  EXPECT_GT(places[2].top(), places[0].bottom());
+  EXPECT_NEAR(places[2].right(), places[1].right(), 1e-9);
+  EXPECT_NEAR(places[0].width(), 100.0 * mien::PlatePainter::panelWidth(85.0, 2, 1), 1e-9);
+  EXPECT_LT(places[2].bottom(), drawn.size().height());
+  EXPECT_EQ(drawn.size().width(), 8500.0);
+}
+
+TEST_F(PlatePainter, DrawingsAreVectorsWithTextAndPicturesAreTheOnlyDots) {
+  Plate plate;
+  plate.panels = {drawingPanel("lips", rectangle())};
+  plate.caption = "What is seen.";
+  const std::string vectors = svg(plate);
+  EXPECT_EQ(vectors.find("<image"), std::string::npos);
+  EXPECT_NE(vectors.find("C22'"), std::string::npos);
+  EXPECT_NE(vectors.find("What is seen."), std::string::npos);
+  EXPECT_EQ(svg(plate), vectors);
+  QImage picture(8, 4, QImage::Format_RGB32);
+  picture.fill(Qt::red);
+  plate.panels.push_back(mien::picturePanel("", picture));
+  EXPECT_NE(svg(plate).find("<image"), std::string::npos);
+}
+
+TEST_F(PlatePainter, ADrawingHasOneScaleAndPointsUp) {
+  const PlaneDrawing drawing = rectangle();
+  const mien::PlaneDrawingPainter painter(drawing, QRectF(0, 0, 1000, 1000));
+  const QPointF origin = painter.position({0, 0}), right = painter.position({10, 0}), up = painter.position({0, 5});
+  EXPECT_NEAR(right.x() - origin.x(), 10.0 * painter.scale(), 1e-9);
+  EXPECT_NEAR(origin.y() - up.y(), 5.0 * painter.scale(), 1e-9);
+  EXPECT_NEAR(0.5 * (origin.x() + right.x()), 500.0, 1e-9);
+  EXPECT_GT(origin.x(), 0.0);
+  EXPECT_LT(right.x(), 1000.0);
+}
+
+TEST_F(PlatePainter, ANarrowTableIsHigher) {
+  mien::TextTable table;
+  table.columns = {{"Expression"}, {"Definition", 3.0}, {"Value", 1.0, true}};
+  table.rows = {{"joy", "The brows rest; the mouth opens and its corners travel up and back", "250"}};
+  const mien::PlatePanel wide = mien::tablePanel("", table, 170.0), narrow = mien::tablePanel("", table, 60.0);
+  EXPECT_GT(narrow.shape * 60.0, 1.5 * wide.shape * 170.0);
+  const std::string text = svg({"", {wide}, 1, "", ""});
+  for (const char* word : {"Expression", "joy", "250"}) EXPECT_NE(text.find(word), std::string::npos) << word;
+}
+
+}  // namespace

@@ -1,0 +1,101 @@
+#include "PlatePainter.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "PanelLabel.h"
+#include "TextLines.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double columnGap = 2.5, rowGap = 2.5;     // mm
+constexpr double headingGap = 0.6, wordsGap = 1.5;  // mm
+constexpr double headingSize = 7.0;                 // pt
+
+double units(double millimetres) {
+  return millimetres * figureUnitsPerMillimetre;
+}
+
+}  // namespace
+
+PlatePainter::PlatePainter(const Plate& plate, const FigureTheme& theme, double width, bool labelled)
+    : plate_(plate),
+      theme_(theme),
+      words_(plate.title, plate.caption, plate.note, width),
+      labelled_(labelled),
+      places_(plate.panels.size()) {
+  layOut(width);
+}
+
+double PlatePainter::panelWidth(double width, int columns, int span) {
+  const double inner = width - 2.0 * FigureWords::border;
+  const double column = (inner - (columns - 1) * columnGap) / columns;
+  return span * column + (span - 1) * columnGap;
+}
+
+size_t PlatePainter::endOfRow(size_t begin) const {
+  int used = 0;
+  size_t end = begin;
+  while (end < plate_.panels.size() && (end == begin || used + plate_.panels[end].span <= plate_.columns))
+    used += plate_.panels[end++].span;
+  return end;
+}
+
+bool PlatePainter::hasHeading(size_t panel) const {
+  return !plate_.panels[panel].heading.empty() || (labelled_ && plate_.panels.size() > 1);
+}
+
+/// @return the y below the row
+double PlatePainter::placeRow(size_t begin, size_t end, double top, double width) {
+  double x = units(FigureWords::border), heading = 0.0, height = 0.0;
+  for (size_t i = begin; i < end; ++i)
+    if (hasHeading(i)) heading = lineHeight(figureFont(headingSize)) + units(headingGap);
+  for (size_t i = begin; i < end; ++i) {
+    const double panel = units(panelWidth(width, plate_.columns, std::min(plate_.panels[i].span, plate_.columns)));
+    places_[i] = QRectF(x, top + heading, panel, panel * plate_.panels[i].shape);
+    height = std::max(height, places_[i].height());
+    x += panel + units(columnGap);
+  }
+  return top + heading + height;
+}
+
+void PlatePainter::layOut(double width) {
+  double y = units(FigureWords::border) + words_.titleHeight();
+  for (size_t begin = 0; begin < places_.size();) {
+    const size_t end = endOfRow(begin);
+    y = placeRow(begin, end, y + (begin > 0 ? units(rowGap) : 0.0), width);
+    begin = end;
+  }
+  wordsTop_ = y + (words_.belowHeight() > 0.0 ? units(wordsGap) : 0.0);
+  size_ = QSizeF(units(width), std::ceil(wordsTop_ + words_.belowHeight() + units(FigureWords::border)));
+}
+
+void PlatePainter::paintHeading(QPainter& painter, size_t panel) const {
+  const QFont bold = figureFont(headingSize, true), plain = figureFont(headingSize);
+  const QString label = labelled_ ? panelLabel(panel, plate_.panels.size()) : QString();
+  QPointF place = places_[panel].topLeft() - QPointF(0.0, units(headingGap) + 0.25 * plain.pixelSize());
+  painter.setPen(theme_.text);
+  painter.setFont(bold);
+  painter.drawText(place, label);
+  if (!label.isEmpty()) place.rx() += textWidth(bold, label) + 0.4 * plain.pixelSize();
+  painter.setFont(plain);
+  painter.drawText(place, QString::fromStdString(plate_.panels[panel].heading));
+}
+
+void PlatePainter::paint(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (theme_.background.isValid()) painter.fillRect(QRectF(QPointF(), size_), theme_.background);
+  words_.paintTitle(painter, theme_);
+  for (size_t i = 0; i < places_.size(); ++i) {
+    if (hasHeading(i)) paintHeading(painter, i);
+    painter.save();
+    plate_.panels[i].paint(painter, places_[i], theme_);
+    painter.restore();
+  }
+  words_.paintBelow(painter, theme_, wordsTop_);
+}
+
+}  // namespace mien

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "Plate.h"
+
+namespace mien {
+
+/// A table of words and numbers, as it stands in a paper: no vertical rules, one under the heading.
+struct TextTable {
+  struct Column {
+    std::string title;
+    double share = 1.0;    ///< of the width, against the other columns
+    bool numbers = false;  ///< set right, else left
+  };
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows;  ///< as many cells as columns; text is broken to fit
+  double size = 6.5;                           ///< pt
+};
+
+/// A panel that holds the table.
+///
+/// @param width  of the panel, mm: it decides where lines break, and so the height
+PlatePanel tablePanel(const std::string& heading, const TextTable& table, double width);
+
+}  // namespace mien
