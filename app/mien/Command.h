@@ -15,6 +15,8 @@ void addPatchCommand(CLI::App& program);
 void addRenderCommand(CLI::App& program);
 void addAnimateCommand(CLI::App& program);
 void addAcquireCommand(CLI::App& program);
+void addAdaptCommand(CLI::App& program);
+void addEditCommand(CLI::App& program);
 void addContinuityCommand(CLI::App& program);
 void addSpectrumCommand(CLI::App& program);
 void addSweepCommand(CLI::App& program);

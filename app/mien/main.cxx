@@ -26,6 +26,8 @@ void addCommands(CLI::App& program) {
   mien::addRenderCommand(program);
   mien::addAnimateCommand(program);
   mien::addAcquireCommand(program);
+  mien::addAdaptCommand(program);
+  mien::addEditCommand(program);
   mien::addContinuityCommand(program);
   mien::addSpectrumCommand(program);
   mien::addSweepCommand(program);

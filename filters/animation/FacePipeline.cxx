@@ -7,6 +7,7 @@
 #include "PipelineErrors.h"
 
 #include "vtkBoundaryCurveReader.h"
+#include "vtkCurveEditFilter.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
 #include "vtkGeometryFilter.h"
@@ -46,6 +47,7 @@ struct FacePipeline::Internals
 {
   FaceState state;
   vtkNew<vtkBoundaryCurveReader> reader;
+  vtkNew<vtkCurveEditFilter> edit;
   vtkNew<vtkFAPReader> frames;
   vtkNew<vtkFAPAnimationFilter> animation;
   vtkNew<vtkPassThrough> curves;
@@ -55,11 +57,12 @@ struct FacePipeline::Internals
 
   Internals()
   {
-    animation->SetInputConnection(reader->GetOutputPort());
+    edit->SetInputConnection(reader->GetOutputPort());
+    animation->SetInputConnection(edit->GetOutputPort());
     curves->SetInputConnection(animation->GetOutputPort());
     face->SetInputConnection(curves->GetOutputPort());
     surface->SetInputConnection(face->GetOutputPort());
-    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{ reader, frames, animation, curves, face, surface })
+    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{ reader, edit, frames, animation, curves, face, surface })
       errors.observe(algorithm);
   }
 
@@ -67,7 +70,7 @@ struct FacePipeline::Internals
   void chooseCurves()
   {
     const bool around = !isAnimated(state) && !canBeAnimated(reader->GetOutput());
-    curves->SetInputConnection((around ? static_cast<vtkAlgorithm*>(reader) : animation)->GetOutputPort());
+    curves->SetInputConnection((around ? static_cast<vtkAlgorithm*>(edit) : animation)->GetOutputPort());
   }
 
   void setMotion()
@@ -155,6 +158,7 @@ struct FacePipeline::Internals
     if (!fault.empty())
     {
       reader->Modified();
+      edit->Modified();
       frames->Modified();
     }
     return fault;
@@ -200,6 +204,7 @@ void FacePipeline::setState(const FaceState& state)
 {
   this->Impl->state = state;
   this->Impl->reader->SetFileName(state.curvesFile.empty() ? nullptr : state.curvesFile.c_str());
+  this->Impl->edit->SetEdits(state.edits);
   this->Impl->setMotion();
   this->Impl->face->SetParameters(state.surface);
   this->Impl->setGrid();

@@ -14,7 +14,7 @@ class vtkFAPReader;
 class vtkPDEFaceFilter;
 
 /// The VTK pipeline that shows a FaceState, for every program:
-///   vtkBoundaryCurveReader --> vtkFAPAnimationFilter --> vtkPDEFaceFilter --> vtkGeometryFilter
+///   vtkBoundaryCurveReader --> vtkCurveEditFilter --> vtkFAPAnimationFilter --> vtkPDEFaceFilter --> vtkGeometryFilter
 ///   vtkFAPReader (when there is a file) --^
 ///
 /// Setting a state touches only the filters whose properties differ, so that the next update does no more than it must.
@@ -32,7 +32,7 @@ public:
   void setState(const FaceState& state);
   const FaceState& state() const;
 
-  vtkBoundaryCurveReader* neutralCurves() const;
+  vtkBoundaryCurveReader* neutralCurves() const;  ///< as read, before edits
   vtkFAPReader* frames() const;              ///< the animation file's; empty until a state with a file was updated
   vtkFAPAnimationFilter* animation() const;
   vtkAlgorithm* curves() const;    ///< vtkPolyData, the boundary curves as animated

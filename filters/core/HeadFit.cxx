@@ -214,40 +214,53 @@ double reliefCorrelation(const Cloud& face, const Meeting& meeting, const Target
   return norms > 0.0 ? a.dot(b) / norms : 0.0;
 }
 
+bool isBetter(const Start& a, const Start& b) { return a.score < b.score; }
+
+/// All starts after a few steps on few points, the best ones first; false when stopped.
+bool tryAllStarts(const Cloud& face, const Target& target, std::vector<Start>& starts, const Progress& progress) {
+  const Eigen::Vector3d headMiddle(0.0, 0.0, 25.0);
+  std::vector<Eigen::Matrix3d> rotations = axisRotations();
+  for (const Eigen::Matrix3d& rotation : evenRotations(rotationStarts)) rotations.push_back(rotation);
+  for (size_t r = 0; r < rotations.size(); ++r) {
+    if (!goesOn(progress, static_cast<double>(r) / static_cast<double>(rotations.size()))) return false;
+    for (const Eigen::Vector3d& place : headPlaces(target.cloud().points, rotations[r])) {
+      Similarity motion{1.0, rotations[r], place - rotations[r] * headMiddle};
+      for (int step = 0; step < coarseSteps; ++step) motion = pointStep(face, meet(face, motion, target, false), target, motion);
+      starts.push_back({motion, meet(face, motion, target, false).score});
+    }
+  }
+  std::sort(starts.begin(), starts.end(), isBetter);
+  return true;
+}
+
+/// Steps to tangent planes.
+Similarity refined(const Cloud& face, const Target& target, Similarity motion, int steps) {
+  for (int step = 0; step < steps; ++step) motion = planeStep(meet(face, motion, target, false), target, motion);
+  return motion;
+}
+
+/// The best of a few starts on more points; among equally near ones that whose relief agrees, as a face fits a neck quite well.
+bool chooseStart(const Cloud& face, const Target& target, std::vector<Start>& starts, const Progress& progress) {
+  starts.resize(std::min<size_t>(finalists, starts.size()));
+  for (size_t s = 0; s < starts.size(); ++s) {
+    if (!goesOn(progress, static_cast<double>(s) / static_cast<double>(starts.size()))) return false;
+    starts[s].motion = refined(face, target, starts[s].motion, middleSteps);
+    const Meeting end = meet(face, starts[s].motion, target, false);
+    starts[s].score = end.score * (2.0 - reliefCorrelation(face, end, target, starts[s].motion));
+  }
+  std::sort(starts.begin(), starts.end(), isBetter);
+  return true;
+}
+
 }  // namespace
 
 std::string fitHead(const FaceTemplate& face, const TriangleMesh& mesh, HeadFit& fit, const Progress& progress) {
   const Cloud whole{face.mesh.vertices, face.normals}, scan{mesh.vertices, outwardNormals(mesh)};
-  const Cloud coarse = whole.every(coarseFacePoints);
-  const Target coarseTarget(scan.every(coarseScanPoints));
-  const Eigen::Vector3d headMiddle(0.0, 0.0, 25.0);
-  std::vector<Eigen::Matrix3d> rotations = axisRotations();
-  for (const Eigen::Matrix3d& rotation : evenRotations(rotationStarts)) rotations.push_back(rotation);
   std::vector<Start> starts;
-  for (size_t r = 0; r < rotations.size(); ++r) {
-    if (!goesOn(progress, 0.6 * static_cast<double>(r) / static_cast<double>(rotations.size()))) return "stopped";
-    for (const Eigen::Vector3d& place : headPlaces(coarseTarget.cloud().points, rotations[r])) {
-      Similarity motion{1.0, rotations[r], place - rotations[r] * headMiddle};
-      for (int step = 0; step < coarseSteps; ++step)
-        motion = pointStep(coarse, meet(coarse, motion, coarseTarget, false), coarseTarget, motion);
-      starts.push_back({motion, meet(coarse, motion, coarseTarget, false).score});
-    }
-  }
-  std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.score < b.score; });
-  const Cloud middle = whole.every(middleFacePoints);
+  if (!tryAllStarts(whole.every(coarseFacePoints), Target(scan.every(coarseScanPoints)), starts, partOf(progress, 0.0, 0.6))) return "stopped";
   const Target target(scan);
-  starts.resize(std::min<size_t>(finalists, starts.size()));
-  for (size_t s = 0; s < starts.size(); ++s) {
-    if (!goesOn(progress, 0.6 + 0.3 * static_cast<double>(s) / static_cast<double>(starts.size()))) return "stopped";
-    Similarity& motion = starts[s].motion;
-    for (int step = 0; step < middleSteps; ++step) motion = planeStep(meet(middle, motion, target, false), target, motion);
-    const Meeting end = meet(middle, motion, target, false);
-    // among equally near ones the one whose relief agrees: a face fits a neck quite well
-    starts[s].score = end.score * (2.0 - reliefCorrelation(middle, end, target, motion));
-  }
-  std::sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.score < b.score; });
-  Similarity motion = starts.front().motion;
-  for (int step = 0; step < fineSteps; ++step) motion = planeStep(meet(whole, motion, target, false), target, motion);
+  if (!chooseStart(whole.every(middleFacePoints), target, starts, partOf(progress, 0.6, 0.95))) return "stopped";
+  const Similarity motion = refined(whole, target, starts.front().motion, fineSteps);
   const Meeting end = meet(whole, motion, target, true);
   fit = {motion, end.score / motion.scale, reliefCorrelation(whole, end, target, motion)};
   return goesOn(progress, 1.0) ? std::string() : "stopped";
