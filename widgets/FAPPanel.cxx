@@ -1,14 +1,19 @@
 #include "FAPPanel.h"
 
+#include "FAPList.h"
 #include "FAPRow.h"
 #include "FAPTable.h"
 #include "FaceModel.h"
+#include "Remembered.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QTabBar>
-#include <QTabWidget>
+#include <QToolButton>
+#include <QVariant>
 #include <QVBoxLayout>
 
 namespace mien {
@@ -18,6 +23,9 @@ namespace {
 /// The groups of the standard that the 22 FAPs come from, from the top of the face down.
 constexpr int brows = 4, eyes = 3, cheeks = 5, nose = 9, mouth = 8;
 
+constexpr const char* mirrorKey = "faps/mirror";
+constexpr const char* allKey = "faps/all";
+
 /// A missing value is 0, so that a face with all sliders at rest equals the neutral one.
 void setFAP(FaceState& state, int fap, double value) {
   if (value == 0.0)
@@ -26,43 +34,112 @@ void setFAP(FaceState& state, int fap, double value) {
     state.fapValues[fap] = value;
 }
 
+bool isShown(const FAPDefinition& fap) { return fap.number >= FAPFrame::firstLowLevel && fap.hasSurface; }
+
 }  // namespace
 
 FAPPanel::FAPPanel(FaceModel* model, QWidget* parent)
-    : QWidget(parent), model_(model), tabs_(new QTabWidget(this)), mirror_(new QCheckBox(tr("&Mirror"), this)) {
+    : QWidget(parent), model_(model), all_(new QToolButton(this)), search_(new QLineEdit(this)), tabs_(new QTabBar(this)),
+      head_(new QStackedWidget(this)), pages_(new QStackedWidget(this)), list_(new FAPList(pages_)), mirror_(new QCheckBox(tr("&Mirror lock"), this)) {
   setObjectName("fapPanel");
   tabs_->setObjectName("fapTabs");
-  tabs_->setDocumentMode(true);
-  tabs_->tabBar()->setDrawBase(false);
+  tabs_->setDrawBase(false);
+  tabs_->setExpanding(false);
+  tabs_->setUsesScrollButtons(false);
   addTab(brows, tr("Brows"));
   addTab(eyes, tr("Eyes"));
   addTab(cheeks, tr("Cheeks"));
   addTab(nose, tr("Nose"));
   addTab(mouth, tr("Mouth"));
+  pages_->addWidget(list_);
+  for (const FAPDefinition& fap : fapTable)
+    if (isShown(fap)) addRow(fap.number);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 0, 8, 8);
-  column->addWidget(tabs_, 1);
+  column->setSpacing(4);
+  column->addWidget(header());
+  column->addWidget(pages_, 1);
   column->addWidget(footer());
   connect(model_, &FaceModel::stateChanged, this, &FAPPanel::follow);
   connect(model_, &FaceModel::updated, this, &FAPPanel::follow);
+  connect(model_, &FaceModel::tableChanged, this, &FAPPanel::followTable);
+  arrange();
+  showPartners();
+  followTable();
   follow();
 }
 
+/// The tabs, or in their place the search, and beside them what changes between them.
+QWidget* FAPPanel::header() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  head_->addWidget(tabs_);
+  head_->addWidget(searchField());
+  all_->setObjectName("fapAll");
+  all_->setText(tr("All FAPs"));
+  all_->setProperty("framed", true);
+  all_->setToolTip(tr("Every low-level FAP that this face has surface for, in one list; again: the 22 of Sheng et al. 2011"));
+  all_->setCheckable(true);
+  all_->setChecked(Remembered::value(allKey, false).toBool());
+  all_->setFocusPolicy(Qt::TabFocus);
+  connect(tabs_, &QTabBar::currentChanged, this, &FAPPanel::arrange);
+  connect(all_, &QToolButton::toggled, this, [this](bool on) {
+    Remembered::set(allKey, on);
+    arrange();
+    if (on) search_->setFocus();
+  });
+  row->addWidget(head_, 1);
+  row->addWidget(all_);
+  return bar;
+}
+
+QWidget* FAPPanel::searchField() {
+  search_->setObjectName("fapSearch");
+  search_->setPlaceholderText(tr("Find a FAP: brow, 31, 4.1"));
+  search_->setToolTip(tr("Finds by name, number or feature point"));
+  search_->setAccessibleName(tr("Find a FAP"));
+  search_->setClearButtonEnabled(true);
+  connect(search_, &QLineEdit::textChanged, list_, &FAPList::filter);
+  return search_;
+}
+
 void FAPPanel::addTab(int group, const QString& title) {
-  auto* page = new QWidget(tabs_);
+  auto* page = new QWidget(pages_);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(2, 8, 2, 2);
   column->setSpacing(7);
-  for (int number : paperSubset()) {
-    const FAPDefinition& fap = fapDefinition(number);
-    if (fap.group != group) continue;
-    auto* row = new FAPRow(fap, model_->millimetresPerUnit(number), page);
-    connect(row, &FAPRow::valueEdited, this, &FAPPanel::edit);
-    rows_.insert(number, row);
-    column->addWidget(row);
-  }
+  auto* rows = new QVBoxLayout;
+  rows->setSpacing(4);
+  column->addLayout(rows);
   column->addStretch();
-  tabs_->addTab(page, title);
+  tabColumns_.insert(group, rows);
+  pages_->addWidget(page);
+  tabs_->addTab(title);
+}
+
+void FAPPanel::addRow(int fap) {
+  auto* row = new FAPRow(fapDefinition(fap), model_->millimetresPerUnit(fap), this);
+  row->hide();
+  connect(row, &FAPRow::valueEdited, this, &FAPPanel::edit);
+  rows_.insert(fap, row);
+}
+
+/// Each FAP has one row, which moves between the tabs and the list, so that its value stays.
+void FAPPanel::arrange() {
+  const bool isList = all_->isChecked();
+  head_->setCurrentIndex(isList ? 1 : 0);
+  if (isList) {
+    list_->take(rows_);
+    list_->filter(search_->text());
+    return pages_->setCurrentWidget(list_);
+  }
+  for (int fap : paperSubset()) {
+    tabColumns_.value(fapDefinition(fap).group)->addWidget(rows_.value(fap));
+    rows_.value(fap)->show();
+  }
+  pages_->setCurrentIndex(tabs_->currentIndex());
 }
 
 QWidget* FAPPanel::footer() {
@@ -70,9 +147,15 @@ QWidget* FAPPanel::footer() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   mirror_->setObjectName("fapMirror");
-  mirror_->setToolTip(tr("Move both sides of the face together"));
-  mirror_->setChecked(true);
+  mirror_->setToolTip(tr("A FAP of one side takes its partner on the other side along, so that the face stays symmetric; FAPs marked "
+                         "\u21c4 have a partner (Alt+M)"));
+  mirror_->setChecked(Remembered::value(mirrorKey, true).toBool());
+  connect(mirror_, &QCheckBox::toggled, this, [this](bool on) {
+    Remembered::set(mirrorKey, on);
+    showPartners();
+  });
   auto* reset = new QPushButton(tr("&Reset all FAPs"), bar);
+  reset->setProperty("compact", true);
   reset->setObjectName("fapResetAll");
   reset->setToolTip(tr("Every FAP back to 0; an expression and an animation stay"));
   connect(reset, &QPushButton::clicked, this, &FAPPanel::resetAll);
@@ -80,6 +163,10 @@ QWidget* FAPPanel::footer() {
   row->addStretch();
   row->addWidget(reset);
   return bar;
+}
+
+void FAPPanel::showPartners() {
+  for (FAPRow* row : qAsConst(rows_)) row->setPartnerShown(mirror_->isChecked());
 }
 
 void FAPPanel::edit(int fap, double value) {
@@ -101,6 +188,13 @@ void FAPPanel::follow() {
     it.value()->setValue(found == model_->state().fapValues.end() ? 0.0 : found->second);
     it.value()->setShownValue(model_->shownFAP(it.key()));
   }
+}
+
+/// What the animation table does not move cannot be set either.
+void FAPPanel::followTable() {
+  for (FAPRow* row : qAsConst(rows_))
+    row->setReason(model_->moves(row->fap()) ? QString()
+                                            : tr("The animation table moves nothing for this FAP, so it cannot be set."));
 }
 
 }  // namespace mien

@@ -4,31 +4,47 @@
 #include <QWidget>
 
 class QCheckBox;
-class QTabWidget;
+class QLineEdit;
+class QStackedWidget;
+class QTabBar;
+class QToolButton;
+class QVBoxLayout;
 
 namespace mien {
 
-struct FAPDefinition;
-class FaceModel;
+class FAPList;
 class FAPRow;
+class FaceModel;
 
-/// How does each facial animation parameter move the face? The 22 FAPs of Sheng et al. 2011, a tab for each feature.
+/// How does each facial animation parameter move the face? The 22 FAPs of Sheng et al. 2011, a tab for each feature, or
+/// all that have surface in one list. While sides are locked, a FAP takes its mirror partner along.
 class FAPPanel : public QWidget {
   Q_OBJECT
  public:
   FAPPanel(FaceModel* model, QWidget* parent = nullptr);
 
  private:
-  void addTab(int group, const QString& title);
+  QWidget* header();
   QWidget* footer();
+  QWidget* searchField();
+  void addTab(int group, const QString& title);
+  void addRow(int fap);
+  void arrange();
+  void showPartners();
   void edit(int fap, double value);
   void resetAll();
   void follow();
+  void followTable();
 
   FaceModel* model_;
-  QTabWidget* tabs_;
+  QToolButton* all_;
+  QLineEdit* search_;
+  QTabBar* tabs_;
+  QStackedWidget *head_, *pages_;
+  FAPList* list_;
   QCheckBox* mirror_;
   QHash<int, FAPRow*> rows_;
+  QHash<int, QVBoxLayout*> tabColumns_;  ///< by group
 };
 
 }  // namespace mien

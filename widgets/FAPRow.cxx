@@ -6,11 +6,13 @@
 #include "Icons.h"
 
 #include <QDoubleSpinBox>
-#include <QGridLayout>
+#include <QEvent>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QVariant>
 #include <QToolButton>
+#include <QVBoxLayout>
+#include <QVariant>
 
 #include <cmath>
 
@@ -18,11 +20,14 @@ namespace mien {
 
 namespace {
 
-constexpr int singleStep = 4, pageStep = 64;  // of the slider by keys, in FAP units
+constexpr int singleStep = 4, pageStep = 64;             // of the slider by keys, in FAP units
+constexpr int singleAngleStep = 500, pageAngleStep = 5000;  // the same for angles: 0.3 and 3 degrees
+constexpr double degreesPerAngleUnit = radiansPerAngleUnit * 57.29577951308232;
 
 /// Of the slider, in FAP units; numbers may be larger. Lids close and mouths open within a whole unit; no other part
-/// of a face moves by half of one.
+/// of a face moves by half of one. A head turns by 0.6 rad with ease.
 int sliderRange(FAPUnit unit) {
+  if (unit == FAPUnit::Angle) return 60000;
   return unit == FAPUnit::IrisDiameter || unit == FAPUnit::MouthNoseSeparation ? 1024 : 512;
 }
 
@@ -34,53 +39,67 @@ QString unitSuffix(FAPUnit unit) {
 }  // namespace
 
 FAPRow::FAPRow(const FAPDefinition& fap, double millimetresPerUnit, QWidget* parent)
-    : QWidget(parent), fap_(fap.number), millimetresPerUnit_(millimetresPerUnit), slider_(new ValueSlider(this)),
-      number_(new QDoubleSpinBox(this)), length_(new QLabel(this)), reset_(new QToolButton(this)) {
+    : QWidget(parent), fap_(fap.number), unit_(fap.unit), millimetresPerUnit_(millimetresPerUnit),
+      hasPartner_(fap.mirrorPartner != fap.number), slider_(new ValueSlider(this)), number_(new QDoubleSpinBox(this)),
+      name_(new QLabel(fapLabel(fap), this)), length_(new QLabel(this)), reset_(new QToolButton(this)) {
   build(fap);
+  display(0.0);
+  setShownValue(0.0);
   connect(slider_, &QSlider::valueChanged, this, [this](int value) { edit(value); });
   connect(number_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &FAPRow::edit);
   connect(reset_, &QToolButton::clicked, this, [this] { edit(0.0); });
-  display(0.0);
 }
 
 void FAPRow::build(const FAPDefinition& fap) {
-  const QString label = fapLabel(fap), tip = fapToolTip(fap, millimetresPerUnit_);
+  const QString label = fapLabel(fap);
   const int range = sliderRange(fap.unit);
-  auto* name = new QLabel(label, this);
+  const bool isAngle = unit_ == FAPUnit::Angle;
   slider_->setObjectName(QString("fapSlider%1").arg(fap_));
   slider_->setRange(fap.bidirectional ? -range : 0, range);
-  slider_->setSingleStep(singleStep);
-  slider_->setPageStep(pageStep);
+  slider_->setSingleStep(isAngle ? singleAngleStep : singleStep);
+  slider_->setPageStep(isAngle ? pageAngleStep : pageStep);
   slider_->setDoubleClickResets(true);
   slider_->setAccessibleName(label);
   number_->setObjectName(QString("fapValue%1").arg(fap_));
   number_->setRange(-FaceState::largestFAPValue, FaceState::largestFAPValue);
   number_->setDecimals(0);
-  number_->setSingleStep(10);
+  number_->setSingleStep(isAngle ? singleAngleStep : 10);
+  number_->setFocusPolicy(Qt::StrongFocus);
+  number_->installEventFilter(this);
   number_->setSuffix(unitSuffix(fap.unit));
   number_->setKeyboardTracking(false);
   number_->setAccessibleName(label);
   number_->setAlignment(Qt::AlignRight);
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  number_->setFixedWidth(number_->fontMetrics().horizontalAdvance("-1024 IRISD") + 16);
+  number_->setFixedSize(number_->fontMetrics().horizontalAdvance("-1024 IRISD") + 16, number_->fontMetrics().height() + 10);
   length_->setObjectName(QString("fapLength%1").arg(fap_));
   length_->setProperty("faint", true);
   reset_->setObjectName(QString("fapReset%1").arg(fap_));
   reset_->setIcon(icon(Symbol::Reset));
   reset_->setIconSize({12, 12});
   reset_->setToolTip(tr("Back to 0"));
-  for (QWidget* widget : {static_cast<QWidget*>(name), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_),
-                          static_cast<QWidget*>(length_)})
-    widget->setToolTip(tip);
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setVerticalSpacing(1);
-  grid->addWidget(name, 0, 0);
-  grid->addWidget(length_, 0, 1, 1, 2, Qt::AlignRight);
-  grid->addWidget(slider_, 1, 0);
-  grid->addWidget(number_, 1, 1);
-  grid->addWidget(reset_, 1, 2);
-  grid->setColumnStretch(0, 1);
+  name_->setObjectName(QString("fapName%1").arg(fap_));
+  explain(fapToolTip(fap, millimetresPerUnit_));
+  auto* upper = new QHBoxLayout;
+  upper->addWidget(name_, 1);
+  upper->addWidget(length_);
+  auto* lower = new QHBoxLayout;
+  lower->setSpacing(6);
+  lower->addWidget(slider_, 1);
+  lower->addWidget(number_);
+  lower->addWidget(reset_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addLayout(upper);
+  column->addLayout(lower);
+}
+
+/// Only with focus, so that scrolling a list does not move the face.
+bool FAPRow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::Wheel || number_->hasFocus()) return QWidget::eventFilter(watched, event);
+  event->ignore();
+  return true;
 }
 
 double FAPRow::value() const { return number_->value(); }
@@ -93,12 +112,33 @@ void FAPRow::display(double value) {
   reset_->setEnabled(value != 0.0);
 }
 
-void FAPRow::setValue(double value) { display(value); }
+void FAPRow::setValue(double value) {
+  if (value != number_->value()) display(value);
+}
 
 void FAPRow::setShownValue(double value) {
   slider_->setShownValue(value);
-  const double length = value * millimetresPerUnit_;
-  length_->setText(millimetresPerUnit_ > 0.0 ? tr("%1 mm").arg(length, 0, 'f', 1) : QString());
+  if (unit_ == FAPUnit::Angle)
+    length_->setText(tr("%1\u00b0").arg(value * degreesPerAngleUnit, 0, 'f', 1));
+  else
+    length_->setText(tr("%1 mm").arg(value * millimetresPerUnit_, 0, 'f', 1));
+}
+
+void FAPRow::setPartnerShown(bool shown) {
+  const QString label = fapLabel(fapDefinition(fap_));
+  name_->setText(hasPartner_ && shown ? label + " \u21c4" : label);
+}
+
+void FAPRow::setReason(const QString& whyNot) {
+  setEnabled(whyNot.isEmpty());
+  const QString tip = fapToolTip(fapDefinition(fap_), millimetresPerUnit_);
+  explain(whyNot.isEmpty() ? tip : whyNot + "<br>" + tip);
+}
+
+void FAPRow::explain(const QString& tip) {
+  for (QWidget* widget : {static_cast<QWidget*>(name_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_),
+                          static_cast<QWidget*>(length_)})
+    widget->setToolTip(tip);
 }
 
 void FAPRow::edit(double value) {

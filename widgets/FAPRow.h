@@ -1,5 +1,7 @@
 #pragma once
 
+#include "FAPUnit.h"
+
 #include <QWidget>
 
 class QDoubleSpinBox;
@@ -11,7 +13,7 @@ namespace mien {
 struct FAPDefinition;
 class ValueSlider;
 
-/// One FAP: name, slider, number, unit, what that is in mm, and reset.
+/// One FAP: name, slider, number, unit, what that is in mm or degrees, and reset.
 /// Its slider, spin box and reset button are named fapSlider53, fapValue53 and fapReset53.
 class FAPRow : public QWidget {
   Q_OBJECT
@@ -23,6 +25,11 @@ class FAPRow : public QWidget {
 
   void setValue(double value);       ///< without a signal
   void setShownValue(double value);  ///< what the face shows, with animation and expression
+  void setPartnerShown(bool shown);  ///< whether a mark tells that the FAP has a partner on the other side
+  void setReason(const QString& whyNot);  ///< why the FAP cannot be set; empty: it can
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  signals:
   void valueEdited(int fap, double value);
@@ -30,13 +37,16 @@ class FAPRow : public QWidget {
  private:
   void build(const FAPDefinition& fap);
   void display(double value);
+  void explain(const QString& tip);
   void edit(double value);
 
   int fap_;
+  FAPUnit unit_;
   double millimetresPerUnit_;
+  bool hasPartner_;
   ValueSlider* slider_;
   QDoubleSpinBox* number_;
-  QLabel* length_;
+  QLabel *name_, *length_;
   QToolButton* reset_;
 };
 

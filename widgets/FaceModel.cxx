@@ -1,8 +1,8 @@
 #include "FaceModel.h"
 
 #include "AnimationData.h"
-#include "FAPSequence.h"
 #include "FAPTable.h"
+#include "HighLevelFAPs.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
 
@@ -11,15 +11,29 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <cmath>
 
 namespace mien {
 
 namespace {
 
+constexpr int headGroup = 7;  // of the standard
+
 QString numbers(const std::vector<int>& values) {
   QStringList texts;
   for (int value : values) texts << QString::number(value);
   return texts.join(", ");
+}
+
+/// What parts of a head these FAPs move that a face does not have: "eyeballs, tongue".
+QString missingParts(const std::vector<int>& faps) {
+  QStringList parts;
+  for (int fap : faps) {
+    const int group = fapDefinition(fap).group;
+    const QString part = group == 3 ? FaceModel::tr("eyeballs") : group == 6 ? FaceModel::tr("tongue") : FaceModel::tr("ears");
+    if (!parts.contains(part)) parts << part;
+  }
+  return parts.join(", ");
 }
 
 }  // namespace
@@ -29,6 +43,7 @@ FaceModel::FaceModel(QObject* parent) : QObject(parent), idle_(new QTimer(this))
   idle_->setInterval(0);
   connect(idle_, &QTimer::timeout, this, &FaceModel::update);
   pipeline_.updateNeutralCurves();
+  followTable();
   update();
 }
 
@@ -60,23 +75,62 @@ bool FaceModel::update() {
     emit stateChanged();
     emit failed(fault, tr("The face is as it was before."));
   }
-  const bool otherFile = good_.fapFile != state_.fapFile;
-  good_ = state_;
-  emit updated();
-  if (otherFile) reportAnimation();
+  accept();
   return fault.isEmpty();
 }
 
+void FaceModel::accept() {
+  const bool otherFile = good_.fapFile != state_.fapFile, otherTable = good_.animationTable != state_.animationTable;
+  FaceState before = good_;
+  before.frame = state_.frame;
+  const bool changed = before != state_;
+  good_ = state_;
+  if (otherFile) followAnimation();
+  if (otherTable) followTable();
+  emit updated();
+  if (changed) emit recovered();
+  if (otherFile) emit animationChanged();
+  if (otherFile && frameCount() > 0) reportAnimation();
+}
+
+void FaceModel::followAnimation() {
+  motion_ = good_.fapFile.empty() ? FAPSequence() : pipeline_.frames()->GetSequence();
+  for (FAPFrame& frame : motion_.frames) resolveHighLevelFAPs(defaultVisemes(), defaultExpressions(), frame);
+}
+
+/// The pipeline has read the table already, so there is no fault left to report.
+void FaceModel::followTable() {
+  readAnimationTable(good_.animationTable, table_);
+  emit tableChanged();
+}
+
+bool FaceModel::moves(int fap) const {
+  if (fap < FAPFrame::firstLowLevel) return true;
+  const bool turnsHead = fapDefinition(fap).group == headGroup;  // the head's rotation needs no points
+  return fapDefinition(fap).hasSurface && (turnsHead || table_.entry(fap));
+}
+
+/// The file's FAPs that move nothing, as a sentence; or nothing.
+QString FaceModel::stillFAPs() const {
+  const std::vector<int> used = pipeline_.frames()->GetFAPsUsed(), missing = fapsWithoutSurface(used);
+  std::vector<int> unknown;
+  for (int fap : used)
+    if (!moves(fap) && std::find(missing.begin(), missing.end(), fap) == missing.end()) unknown.push_back(fap);
+  QStringList parts;
+  if (!missing.empty()) parts << tr("FAP %1 (%2), which this face has no surface for").arg(numbers(missing), missingParts(missing));
+  if (!unknown.empty()) parts << tr("FAP %1, which the animation table does not move").arg(numbers(unknown));
+  return parts.isEmpty() ? QString() : tr("It also sets %1.").arg(parts.join(tr(", and ")));
+}
+
 void FaceModel::reportAnimation() {
-  emit animationChanged();
-  if (frameCount() == 0) return;
+  const QString name = QFileInfo(QString::fromStdString(state_.fapFile)).fileName(), still = stillFAPs();
   QStringList remarks;
   for (const std::string& warning : pipeline_.frames()->GetWarnings()) remarks << QString::fromStdString(warning);
-  const std::vector<int> missing = fapsWithoutSurface(pipeline_.frames()->GetFAPsUsed());
-  if (!missing.empty())
-    remarks << tr("The face has no surface for FAP %1 (eyeballs, tongue or ears); they are left out.").arg(numbers(missing));
-  if (remarks.isEmpty()) return;
-  const QString name = QFileInfo(QString::fromStdString(state_.fapFile)).fileName();
+  if (remarks.isEmpty()) {
+    if (!still.isEmpty()) emit remarked(tr("%1 was opened. %2").arg(name, still), QString());
+    return;
+  }
+  if (!still.isEmpty()) remarks << still;
   const QString sentence = remarks.size() == 1 ? tr("%1 was opened, with one remark.") : tr("%1 was opened, with %2 remarks.");
   emit remarked(remarks.size() == 1 ? sentence.arg(name) : sentence.arg(name).arg(remarks.size()), remarks.join('\n'));
 }
@@ -85,10 +139,11 @@ bool FaceModel::openAnimation(const QString& fileName) {
   if (state_.fapFile == fileName.toStdString()) pipeline_.frames()->Modified();  // it may have changed on disk
   change([&](FaceState& state) {
     state.fapFile = fileName.toStdString();
-    state.frameChoice = FaceState::FrameChoice::Index;
     state.frame = 0.0;
   });
-  return update();
+  const bool good = update();
+  if (good) emit recovered();
+  return good;
 }
 
 void FaceModel::closeAnimation() { openAnimation(QString()); }
@@ -99,24 +154,38 @@ double FaceModel::framesPerSecond() const {
   return good_.fapFile.empty() ? 0.0 : pipeline_.frames()->GetFramesPerSecond();
 }
 
-int FaceModel::frameIndex() const { return static_cast<int>(state_.frame); }
-
-const FAPFrame* FaceModel::frame() const {
-  const int last = frameCount() - 1;
-  return last < 0 ? nullptr : &pipeline_.frames()->GetSequence().frames[std::clamp(frameIndex(), 0, last)];
+double FaceModel::framePosition() const {
+  const bool isTime = state_.frameChoice == FaceState::FrameChoice::Time;
+  return isTime ? state_.frame * motion_.framesPerSecond : state_.frame;
 }
 
-QString FaceModel::frameNumber() const { return frame() ? QString::number(frame()->number) : QString(); }
+/// Half a millionth of a frame is rounding of a time, as in FAPSequence.
+int FaceModel::frameIndex() const { return static_cast<int>(std::floor(framePosition() + 1e-6)); }
 
-void FaceModel::showFrame(int index) {
+QString FaceModel::frameNumber() const {
+  const int last = frameCount() - 1;
+  return last < 0 ? QString() : QString::number(motion_.frames[std::clamp(frameIndex(), 0, last)].number);
+}
+
+void FaceModel::showFrame(double position) {
   if (frameCount() == 0) return;
-  change([&](FaceState& state) { state.frame = std::clamp(index, 0, frameCount() - 1); });
+  const double kept = std::clamp(position, 0.0, frameCount() - 1.0);
+  change([&](FaceState& state) { state.frame = interpolates() ? kept / framesPerSecond() : std::floor(kept); });
+}
+
+void FaceModel::setInterpolating(bool on) {
+  const double position = framePosition();
+  change([&](FaceState& state) {
+    state.interpolateFrames = on;
+    state.frameChoice = on ? FaceState::FrameChoice::Time : FaceState::FrameChoice::Index;
+    state.frame = on ? position / motion_.framesPerSecond : std::floor(position);
+  });
 }
 
 double FaceModel::shownFAP(int fap) const {
   const auto own = state_.fapValues.find(fap);
   double value = own == state_.fapValues.end() ? 0.0 : own->second;
-  if (frame()) value += frame()->value(fap);
+  if (frameCount() > 0) value += motion_.frameAtTime(framePosition() / motion_.framesPerSecond, interpolates()).value(fap);
   for (const auto& [name, intensity] : state_.expressions)
     value += intensity * vtkFAPAnimationFilter::GetExpressionFAP(name, fap);
   return value;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "AnimationTable.h"
+#include "FAPSequence.h"
 #include "FacePipeline.h"
 #include "FaceState.h"
 
@@ -8,12 +10,11 @@
 #include <QStringList>
 
 #include <functional>
+#include <vector>
 
 class QTimer;
 
 namespace mien {
-
-class FAPFrame;
 
 /// The one face that all widgets show and change: a FaceState and the pipeline that draws it.
 ///
@@ -41,9 +42,20 @@ class FaceModel : public QObject {
 
   int frameCount() const;          ///< of the open animation; 0 without one
   double framesPerSecond() const;  ///< of the open animation; 0 without one
-  int frameIndex() const;          ///< from 0
+  int frameIndex() const;          ///< from 0; between two frames that of the one before
+  double framePosition() const;    ///< from 0; between two frames only while interpolating
   QString frameNumber() const;     ///< as written in the file
-  void showFrame(int index);       ///< from 0; brought to the nearer end when outside
+  void showFrame(double position);  ///< from 0; brought to the nearer end when outside
+
+  /// Whether positions between two frames show their linear mixture, not the frame before. Default: off.
+  bool interpolates() const { return state_.interpolateFrames; }
+  void setInterpolating(bool on);
+
+  /// What the open animation moves: its frames with visemes and expressions turned into the FAPs that they stand for.
+  const FAPSequence& motion() const { return motion_; }
+
+  /// Whether a FAP moves the face: it has surface for it, and the animation table an entry.
+  bool moves(int fap) const;
 
   /// What the face shows of one FAP, in FAP units: its slider, the animation's frame and the expression together.
   double shownFAP(int fap) const;
@@ -59,16 +71,23 @@ class FaceModel : public QObject {
   void stateChanged();      ///< at once, with every change
   void updated();           ///< the pipeline's output is new
   void animationChanged();  ///< another .fap file, or none
+  void tableChanged();      ///< other FAPs may move the face
+  void recovered();         ///< a change of more than the frame was good; what failed before it is history
   void failed(const QString& sentence, const QString& details);
   void remarked(const QString& sentence, const QString& details);  ///< accepted, but worth knowing
 
  private:
   QString show(const FaceState& state);
+  void accept();
+  void followAnimation();
+  void followTable();
+  QString stillFAPs() const;
   void reportAnimation();
-  const FAPFrame* frame() const;  ///< the animation's, or nullptr without one
 
   FacePipeline pipeline_;
   FaceState state_, good_;
+  FAPSequence motion_;
+  AnimationTable table_;
   QTimer* idle_;
   double pipelineTime_ = 0.0;
 };

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QStyle>
+#include <QTimer>
 #include <QVariant>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -15,11 +16,13 @@ namespace mien {
 namespace {
 
 constexpr int detailsHeight = 90;  // pixels
+constexpr int noteTime = 12000;    // ms, enough to read a sentence twice
 
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), sentence_(new QLabel(this)), details_(new QPlainTextEdit(this)), more_(new QToolButton(this)) {
+    : QFrame(parent), sentence_(new QLabel(this)), details_(new QPlainTextEdit(this)), more_(new QToolButton(this)),
+      leaving_(new QTimer(this)) {
   setObjectName("messageBar");
   sentence_->setObjectName("messageSentence");
   sentence_->setWordWrap(true);
@@ -37,6 +40,9 @@ MessageBar::MessageBar(QWidget* parent)
   close->setIconSize({11, 11});
   close->setToolTip(tr("Hide this message"));
   connect(more_, &QToolButton::toggled, details_, &QWidget::setVisible);
+  leaving_->setSingleShot(true);
+  leaving_->setInterval(noteTime);
+  connect(leaving_, &QTimer::timeout, this, &QWidget::hide);
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   auto* row = new QHBoxLayout;
   row->addWidget(sentence_, 1);
@@ -54,9 +60,17 @@ QString MessageBar::sentence() const { return sentence_->text(); }
 
 void MessageBar::showError(const QString& sentence, const QString& details) { show("error", sentence, details); }
 
-void MessageBar::showNote(const QString& sentence, const QString& details) { show("note", sentence, details); }
+void MessageBar::showNote(const QString& sentence, const QString& details) {
+  show("note", sentence, details);
+  if (details.isEmpty()) leaving_->start();
+}
+
+void MessageBar::clearError() {
+  if (property("severity") == "error") hide();
+}
 
 void MessageBar::show(const char* severity, const QString& sentence, const QString& details) {
+  leaving_->stop();
   setProperty("severity", severity);
   style()->unpolish(this);  // the style sheet chooses by severity
   style()->polish(this);

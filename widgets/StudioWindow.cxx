@@ -58,6 +58,7 @@ StudioWindow::StudioWindow()
   linkCameras(true);
   connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
   connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
+  connect(model_, &FaceModel::recovered, messages_, &MessageBar::clearError);
   resize(startWidth, startHeight);
   WindowLayout::restore(*this);
 }

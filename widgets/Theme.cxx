@@ -92,15 +92,19 @@ QLabel[faint="true"] { color: @faint; }
 QLabel[heading="true"] { font-weight: 600; }
 QTabWidget::pane { border: none; border-top: 1px solid @line; }
 QTabBar::tab { padding: 5px 9px; border: none; border-bottom: 2px solid transparent; color: @faint; background: transparent; }
+QTabBar#fapTabs::tab { padding: 5px 7px; }
 QTabBar::tab:selected { color: @text; border-bottom-color: @accent; }
 QTabBar::tab:hover { color: @text; }
 QTabBar::tab:focus { color: @accent; }
 QPushButton { padding: 5px 10px; border: 1px solid @line; border-radius: 4px; background: @panel; }
+QPushButton[compact="true"] { padding: 3px 6px; }
 QPushButton:hover { border-color: @accent; }
 QPushButton:focus { border-color: @accent; }
 QPushButton:checked { background: @accent; color: @accentText; border-color: @accent; }
 QPushButton:disabled { color: @line; }
 QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px 5px; background: transparent; }
+QToolButton[framed="true"] { border-color: @line; background: @panel; padding: 4px 6px; }
+QToolButton[framed="true"]:checked { background: @accent; }
 QToolButton:hover { border-color: @line; }
 QToolButton:focus { border-color: @accent; }
 QToolButton:checked { background: @accent; color: @accentText; }

@@ -4,8 +4,8 @@ class QMainWindow;
 
 namespace mien {
 
-/// Remembers where the docks are from one start to the next: in the user's settings, once the program has named its
-/// organisation; tests and tools, which do not, always see the first start.
+/// Remembers where the docks are from one start to the next.
+/// @sa Remembered
 class WindowLayout {
  public:
   static void save(const QMainWindow& window);

@@ -8,27 +8,61 @@
 #include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <cstdio>
+#include <cstdlib>
+
+namespace {
+
+/// While the application begins, Qt ends the program without a display after lines about its plugins.
+void sayWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QString&) {
+  if (type != QtFatalMsg) return;
+  std::fputs("mien-studio: there is no display to open a window on; start it in a desktop session, set DISPLAY or WAYLAND_DISPLAY, or "
+             "use `mien render` and `mien animate`, which need none\n",
+             stderr);
+  std::_Exit(EXIT_FAILURE);
+}
+
+bool asksForText(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    for (const char* option : {"-h", "--help", "--help-all", "-v", "--version"})
+      if (qstrcmp(argv[i], option) == 0) return true;
+  return false;
+}
+
+void name() {
+  QCoreApplication::setOrganizationName("mien");
+  QCoreApplication::setApplicationName("mien-studio");
+  QGuiApplication::setApplicationDisplayName("Mien Studio");
+  QCoreApplication::setApplicationVersion(MIEN_VERSION);
+}
+
+/// Reads the arguments, and ends the program after help or version.
+void read(QCommandLineParser& arguments, const QCommandLineOption& play, const QCoreApplication& application) {
+  arguments.setApplicationDescription("Shows and animates a PDE face.");
+  arguments.addPositionalArgument("FILE.fap", "An MPEG-4 facial animation to open.", "[FILE.fap]");
+  arguments.addOption(play);
+  arguments.addHelpOption();
+  arguments.addVersionOption();
+  arguments.process(application);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  name();
+  QCommandLineParser arguments;
+  const QCommandLineOption play("play", "Play the file at once; without a file, the demonstration.");
+  if (asksForText(argc, argv)) read(arguments, play, QCoreApplication(argc, argv));
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());  // before the application, or views stay black
   QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
+  const QtMessageHandler usual = qInstallMessageHandler(sayWithoutDisplay);
   QApplication application(argc, argv);
-  QApplication::setOrganizationName("mien");
-  QApplication::setApplicationName("mien-studio");
-  QApplication::setApplicationDisplayName("Mien Studio");
-  QApplication::setApplicationVersion(MIEN_VERSION);
-
-  QCommandLineParser arguments;
-  arguments.setApplicationDescription("Shows and animates a PDE face.");
-  arguments.addPositionalArgument("FILE.fap", "An MPEG-4 facial animation to open.", "[FILE.fap]");
-  const QCommandLineOption play("play", "Play the file at once; without a file, the demonstration.");
-  arguments.addOption(play);
-  arguments.addHelpOption();
-  arguments.addVersionOption();
-  arguments.process(application);
+  qInstallMessageHandler(usual);
+  read(arguments, play, application);
 
   mien::Theme::apply(mien::Theme::Kind::Light, application);
   mien::StudioWindow window;

@@ -13,7 +13,7 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <QSurfaceFormat>
-#include <QTabWidget>
+#include <QTabBar>
 #include <QTableWidget>
 #include <QTextStream>
 #include <QToolButton>
@@ -87,7 +87,7 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "wireframe") click(window, "meshWireframe");
   if (key == "both") click(window, "meshBoth");
   if (key == "unlinked") click(window, "curveLink");
-  if (key == "tab") window.findChild<QTabWidget*>("fapTabs")->setCurrentIndex(value.toInt());
+  if (key == "tab") window.findChild<QTabBar*>("fapTabs")->setCurrentIndex(value.toInt());
   if (key == "expression") model.change([&](mien::FaceState& state) { state.expressions[value.toStdString()] = 1.0; });
   if (key == "fap")
     model.change([&](mien::FaceState& state) {

@@ -39,14 +39,38 @@ TEST_F(ExpressionPanel, OneButtonIsDownAndASecondClickLetsItUp) {
 TEST_F(ExpressionPanel, IntensityWeakensIt) {
   QTest::keyClick(find<QPushButton>("expression_joy"), Qt::Key_Space);
   const double full = largestDisplacement();
-  auto* percent = find<QSpinBox>("expressionPercent");
+  auto* percent = find<QSpinBox>("expressionPercent_joy");
   percent->selectAll();
   QTest::keyClicks(percent, "50");
   const double half = largestDisplacement();
   EXPECT_EQ(window->model().state().expressions.at("joy"), 0.5);
   EXPECT_GT(half, 0.2 * full);
   EXPECT_LT(half, 0.8 * full);
-  EXPECT_EQ(find<mien::ValueSlider>("expressionIntensity")->value(), 50);
+  EXPECT_EQ(find<mien::ValueSlider>("expressionSlider_joy")->value(), 50);
+}
+
+TEST_F(ExpressionPanel, SlidersMixAndTheFAPsAddUp) {
+  const auto shown = [this](int fap) {
+    settle();
+    return window->model().shownFAP(fap);
+  };
+  find<QSpinBox>("expressionPercent_joy")->setValue(60);
+  const double joy53 = shown(53), joy33 = shown(33);
+  find<mien::ValueSlider>("expressionSlider_joy")->setValue(0);
+  EXPECT_TRUE(window->model().state().expressions.empty());
+  find<mien::ValueSlider>("expressionSlider_surprise")->setValue(40);
+  const double surprise53 = shown(53), surprise33 = shown(33);
+  find<mien::ValueSlider>("expressionSlider_joy")->setValue(60);
+  EXPECT_EQ(window->model().state().expressions, (std::map<std::string, double>{{"joy", 0.6}, {"surprise", 0.4}}));
+  EXPECT_NEAR(shown(53), joy53 + surprise53, 1e-9);
+  EXPECT_NEAR(shown(33), joy33 + surprise33, 1e-9);
+  EXPECT_GT(std::abs(joy53), 10.0);
+  EXPECT_GT(std::abs(surprise33), 10.0);
+  EXPECT_TRUE(find<QPushButton>("expression_joy")->isChecked());
+  EXPECT_TRUE(find<QPushButton>("expression_surprise")->isChecked());
+  find<QPushButton>("expression_anger")->click();
+  EXPECT_EQ(window->model().state().expressions, (std::map<std::string, double>{{"anger", 1.0}})) << "a name chooses it alone";
+  EXPECT_EQ(find<QSpinBox>("expressionPercent_joy")->value(), 0);
 }
 
 TEST_F(ExpressionPanel, TheFAPSlidersShowWhereAnExpressionTakesTheFace) {

@@ -3,12 +3,17 @@
 #include "StudioFixture.h"
 #include "ValueSlider.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
-#include <QTabWidget>
+#include <QSettings>
+#include <QTabBar>
+#include <QTemporaryDir>
 #include <QToolButton>
+#include <QWheelEvent>
 
 namespace {
 
@@ -22,7 +27,7 @@ TEST_F(FAPPanel, HasASliderForEachOfThe22) {
     EXPECT_FALSE(find<ValueSlider>(QString("fapSlider%1").arg(fap))->toolTip().isEmpty());
     EXPECT_TRUE(find<QDoubleSpinBox>(QString("fapValue%1").arg(fap))->suffix().size() > 1);
   }
-  EXPECT_EQ(find<QTabWidget>("fapTabs")->count(), 5);
+  EXPECT_EQ(find<QTabBar>("fapTabs")->count(), 5);
 }
 
 TEST_F(FAPPanel, DraggingASliderWithTheMouseMovesTheCurves) {
@@ -76,6 +81,111 @@ TEST_F(FAPPanel, MirrorMovesBothSidesAndNoneWithoutIt) {
   right->setValue(-40.0);
   EXPECT_EQ(left->value(), 80.0);
   EXPECT_EQ(window->model().state().fapValues.at(32), -40.0);
+}
+
+TEST_F(FAPPanel, TheLockTurnsSignsWhereTheMirroredMotionDoes) {
+  find<QToolButton>("fapAll")->click();
+  auto* mirror = find<QCheckBox>("fapMirror");
+  ASSERT_TRUE(mirror->isChecked());
+  for (const mien::FAPDefinition& fap : mien::fapTable) {
+    if (fap.mirrorPartner == fap.number || !window->model().moves(fap.number)) continue;
+    const double value = fap.bidirectional ? -30.0 : 30.0;
+    find<QDoubleSpinBox>(QString("fapValue%1").arg(fap.number))->setValue(value);
+    EXPECT_EQ(window->model().state().fapValues.at(fap.mirrorPartner), fap.mirrorSign * value) << fap.number;
+    EXPECT_EQ(find<QDoubleSpinBox>(QString("fapValue%1").arg(fap.mirrorPartner))->value(), fap.mirrorSign * value);
+  }
+  find<QPushButton>("fapResetAll")->click();
+  find<QDoubleSpinBox>("fapValue49")->setValue(900.0);
+  EXPECT_EQ(window->model().state().fapValues.size(), 1u) << "a FAP of the midline has no partner";
+}
+
+TEST_F(FAPPanel, TheLockIsSeenAtEachFAPAndWorksFromTheKeyboard) {
+  auto* name = find<QLabel>("fapName31");
+  EXPECT_TRUE(name->text().endsWith(QChar(0x21c4)));
+  QApplication::setActiveWindow(window.get());
+  QTest::keyClick(window.get(), Qt::Key_M, Qt::AltModifier);
+  EXPECT_TRUE(waitUntil([this] { return !find<QCheckBox>("fapMirror")->isChecked(); })) << "a shortcut shows the button pressed first";
+  EXPECT_FALSE(name->text().endsWith(QChar(0x21c4)));
+}
+
+TEST_F(FAPPanel, AllFAPsAreOneClickAway) {
+  auto* all = find<QToolButton>("fapAll");
+  auto* jaw = find<QWidget>("fapSlider3");
+  EXPECT_FALSE(jaw->isVisible());
+  QTest::mouseClick(all, Qt::LeftButton);
+  settle();
+  int rows = 0;
+  for (const mien::FAPDefinition& fap : mien::fapTable) {
+    auto* slider = window->findChild<ValueSlider*>(QString("fapSlider%1").arg(fap.number));
+    const bool expected = fap.number >= 3 && fap.hasSurface;
+    EXPECT_EQ(slider != nullptr, expected) << fap.number;
+    rows += slider && slider->isVisibleTo(window.get());
+    if (slider) { EXPECT_EQ(slider->isEnabled(), window->model().moves(fap.number)) << fap.number; }
+  }
+  EXPECT_EQ(rows, 49);
+  auto* eyes = find<QLabel>("fapWithoutSurface3");
+  EXPECT_TRUE(eyes->isVisibleTo(window.get()));
+  EXPECT_TRUE(eyes->text().endsWith("23, 24, 25, 26, 27, 28, 29, 30")) << eyes->text().toStdString();
+  EXPECT_TRUE(eyes->toolTip().contains("eyeballs"));
+  QTest::mouseClick(all, Qt::LeftButton);
+  EXPECT_FALSE(jaw->isVisible());
+  EXPECT_TRUE(find<ValueSlider>("fapSlider31")->isVisible());
+}
+
+TEST_F(FAPPanel, AFAPOfTheListMovesTheFace) {
+  find<QToolButton>("fapAll")->click();
+  find<QDoubleSpinBox>("fapValue3")->setValue(300.0);
+  EXPECT_GT(largestDisplacement(), 3.0);
+}
+
+TEST_F(FAPPanel, TheSearchFindsByNameNumberAndFeaturePoint) {
+  auto* search = find<QLineEdit>("fapSearch");
+  const auto found = [this] {
+    settle();
+    std::vector<int> faps;
+    for (int fap = 3; fap <= 68; ++fap) {
+      auto* slider = window->findChild<ValueSlider*>(QString("fapSlider%1").arg(fap));
+      if (slider && slider->isVisibleTo(window.get())) faps.push_back(fap);
+    }
+    return faps;
+  };
+  find<QToolButton>("fapAll")->click();
+  EXPECT_TRUE(search->isVisible());
+  QTest::keyClicks(search, "outer brow");
+  EXPECT_EQ(found(), (std::vector<int>{35, 36}));
+  search->setText("31");
+  EXPECT_EQ(found(), (std::vector<int>{31}));
+  search->setText("8.3");
+  EXPECT_EQ(found(), (std::vector<int>{53, 59}));
+  search->setText("elbow");
+  EXPECT_TRUE(found().empty());
+  EXPECT_TRUE(find<QLabel>("fapNothingFound")->isVisible());
+  search->clear();
+  EXPECT_EQ(found().size(), 49u);
+}
+
+TEST_F(FAPPanel, ScrollingTheListChangesNoNumber) {
+  find<QToolButton>("fapAll")->click();
+  auto* number = find<QDoubleSpinBox>("fapValue48");
+  settle();
+  QWheelEvent wheel(QPointF(5, 5), QPointF(number->mapToGlobal(QPoint(5, 5))), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(number, &wheel);
+  EXPECT_EQ(number->value(), 0.0);
+}
+
+TEST(FAPPanelMemory, LockAndListAreAsTheyWereAtTheLastStart) {
+  QTemporaryDir folder;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+  QCoreApplication::setOrganizationName("mien-test");
+  {
+    mien::StudioWindow first;
+    first.findChild<QCheckBox*>("fapMirror")->setChecked(false);
+    first.findChild<QToolButton*>("fapAll")->click();
+  }
+  mien::StudioWindow second;
+  EXPECT_FALSE(second.findChild<QCheckBox*>("fapMirror")->isChecked());
+  EXPECT_TRUE(second.findChild<QToolButton*>("fapAll")->isChecked());
+  QCoreApplication::setOrganizationName(QString());
 }
 
 TEST_F(FAPPanel, ResetsOneOrAll) {

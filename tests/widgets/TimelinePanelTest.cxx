@@ -145,6 +145,47 @@ TEST_F(TimelinePanel, AFileThatIsAcceptedWithWarningsSaysSoQuietly) {
   EXPECT_TRUE(details->toPlainText().startsWith(name + ":1: ")) << details->toPlainText().toStdString();
 }
 
+TEST_F(TimelinePanel, AnErrorLeavesWhenTheNextFileIsGood) {
+  const QString good = writeLids(11, 5);
+  EXPECT_FALSE(window->openAnimation("/there/is/no.fap"));
+  EXPECT_FALSE(message().isEmpty());
+  ASSERT_TRUE(window->openAnimation(good));
+  EXPECT_EQ(message(), "");
+}
+
+TEST_F(TimelinePanel, AnErrorStaysWhileThePresentAnimationPlaysOnAndLeavesWithTheNextChange) {
+  ASSERT_TRUE(window->openAnimation(writeLids(11, 5)));
+  EXPECT_FALSE(window->openAnimation("/there/is/no.fap"));
+  window->model().showFrame(5);
+  settle();
+  EXPECT_FALSE(message().isEmpty());
+  find<QDoubleSpinBox>("fapValue33")->setValue(100.0);
+  settle();
+  EXPECT_EQ(message(), "");
+}
+
+TEST_F(TimelinePanel, FAPsWithoutSurfaceAreSaidOnceWithoutDetails) {
+  const QString name = writeLids(11, 5);
+  QFile file(name);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  QByteArray text = file.readAll();
+  file.close();
+  text.replace("0 0 0 1 0 0 0 0", "0 0 0 1 0 0 0 1");  // FAP 23 beside FAP 19
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  for (const QByteArray& line : text.split('\n')) {
+    const QList<QByteArray> words = line.simplified().split(' ');
+    file.write(words.size() == 2 ? line + " 50\n" : line + "\n");
+  }
+  file.close();
+  ASSERT_TRUE(window->openAnimation(name));
+  EXPECT_TRUE(message().endsWith(" was opened. It also sets FAP 23 (eyeballs), which this face has no surface for.")) << message().toStdString();
+  EXPECT_FALSE(find<QToolButton>("messageMore")->isVisible());
+  QTest::mouseClick(find<QToolButton>("messageClose"), Qt::LeftButton);
+  window->model().showFrame(5);
+  settle();
+  EXPECT_EQ(message(), "");
+}
+
 TEST_F(TimelinePanel, ADroppedFilePlays) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(writeLids(100, 25))});
