@@ -100,7 +100,7 @@ bool CurveEdit::operator==(const CurveEdit& other) const {
 std::string describeFault(const CurveEdit& edit, int pointsPerCurve) {
   if (edit.curve < 0 || edit.curve >= FaceLayout::curveCount) return "there is no such curve; they are C1 .. C28 and C22'";
   if (!(edit.v >= 0.0 && edit.v < 2.0 * M_PI + 1e-12)) return "v = " + text(edit.v) + " is outside 0 .. 2 pi";
-  if (!(edit.move.cwiseAbs().maxCoeff() <= CurveEdit::largestMove))
+  if (!edit.move.allFinite() || edit.move.cwiseAbs().maxCoeff() > CurveEdit::largestMove)
     return "a point moves by at most " + text(CurveEdit::largestMove) + " mm along each axis";
   const double narrowest = 4.0 * M_PI / pointsPerCurve;
   if (!(edit.width >= narrowest - 1e-9 && edit.width <= M_PI + 1e-9))

@@ -21,7 +21,7 @@ struct CurveEdit {
   Eigen::Vector3d move = Eigen::Vector3d::Zero();  ///< mm
   double width = 25.0 * M_PI / 180.0;              ///< radians of v, two samples .. pi
   int spread = 1;                                  ///< neighbouring curves that follow on either side, 0 .. 28
-  bool mirrored = false;                           ///< whether the other side of the face moves as the mirror image; the sum at the midline keeps the height of `move`
+  bool mirrored = false;                           ///< whether the other side moves as the mirror image; the point itself still rises by `move`
 
   bool operator==(const CurveEdit& other) const;
   bool operator!=(const CurveEdit& other) const { return !(*this == other); }

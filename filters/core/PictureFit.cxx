@@ -4,10 +4,12 @@
 #include "Similarity.h"
 #include "SmoothWarp.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
 
 #include <cmath>
+#include <complex>
 
 namespace mien {
 
@@ -22,12 +24,23 @@ constexpr double anchorDistance = 2.5;  // of the landmarks' mean distance from 
 
 Points flat(const FaceLandmarks& landmarks) { return landmarks.points.leftCols(2); }
 
-/// The similarity of the plane from the known landmarks to others.
+/// The similarity of the plane, never a reflection, from the known landmarks to others, as one complex factor.
 Similarity planeFit(const FaceLandmarks& known, const Points& to) {
-  Similarity::Points a = Similarity::Points::Zero(FaceLandmarks::count, 3), b = a;
-  a.leftCols(2) = flat(known);
-  b.leftCols(2) = to;
-  return fitSimilarity(a, b, Eigen::VectorXd::Ones(FaceLandmarks::count), false);
+  const Points from = flat(known);
+  const Eigen::RowVectorXd start = from.colwise().mean(), end = to.colwise().mean();
+  std::complex<double> product = 0.0;
+  double squares = 0.0;
+  for (Eigen::Index i = 0; i < from.rows(); ++i) {
+    const std::complex<double> a(from(i, 0) - start[0], from(i, 1) - start[1]), b(to(i, 0) - end[0], to(i, 1) - end[1]);
+    product += std::conj(a) * b;
+    squares += std::norm(a);
+  }
+  Similarity fit;
+  fit.scale = std::abs(product) / squares;
+  fit.rotation = Eigen::AngleAxisd(std::arg(product), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Vector3d middle(start[0], start[1], 0.0);
+  fit.translation = Eigen::Vector3d(end[0], end[1], 0.0) - fit.scale * (fit.rotation * middle);
+  return fit;
 }
 
 struct Reading {

@@ -67,10 +67,12 @@ TEST(CurveEdit, MirroredEditsKeepASymmetricFaceSymmetric) {
     for (int c = 0; c < face.curves.count; ++c)
       for (int j = 1; j < 20; ++j) {
         const Eigen::RowVector3d p = face.curves.curve(c).row(j), q = face.curves.curve(c).row(40 - j);
-        if (v != M_PI && v != 0.0) EXPECT_LT((p - Eigen::RowVector3d(-q.x(), q.y(), q.z())).norm(), 1e-12) << v;
+        const bool onMidline = v == M_PI || v == 0.0;  // moved as asked, x included
+        EXPECT_LT(onMidline ? 0.0 : (p - Eigen::RowVector3d(-q.x(), q.y(), q.z())).norm(), 1e-12) << v;
       }
     const ClosedCurves::Points shift = face.curves.points - SyntheticFace::make().curves.points;
-    EXPECT_LT(shift.col(2).cwiseAbs().maxCoeff(), 1.0 + 1e-9) << "no point moves more than the edited one, v = " << v;
+    // between the point and its mirror image both add up to (1 + c) / (1 + c^2), at most 1.21
+    EXPECT_LT(shift.col(2).cwiseAbs().maxCoeff(), 1.21) << v;
   }
 }
 
@@ -85,7 +87,7 @@ TEST(CurveEdit, PupilsFollowTheLidsAndFeaturesKeepTheirAddresses) {
   const FaceCurves after = edited({edit("C9", lid->v, {0, 0, 2.0}, 3)});
   EXPECT_GT(after.leftPupil.z() - before.leftPupil.z(), 1.0);
   EXPECT_LE(after.leftPupil.z() - before.leftPupil.z(), 2.0);
-  EXPECT_EQ(after.rightPupil, before.rightPupil);
+  EXPECT_LT((after.rightPupil - before.rightPupil).norm(), 0.005) << "only what the interpolant leaves between samples";
   for (size_t i = 0; i < after.features.size(); ++i) EXPECT_EQ(after.features[i].v, before.features[i].v);
 }
 

@@ -16,7 +16,7 @@ TEST(PointTree, FindsWhatASearchOfAllPointsFinds) {
     const double nearest = (points.rowwise() - place).rowwise().norm().minCoeff();
     const int found = tree.nearest(place, 10.0);
     ASSERT_GE(found, 0);
-    EXPECT_EQ((points.row(found) - place).norm(), nearest);
+    EXPECT_NEAR((points.row(found) - place).norm(), nearest, 1e-14);
     EXPECT_EQ(tree.nearest(place, 0.99 * nearest), -1);
   }
 }

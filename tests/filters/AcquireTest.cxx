@@ -77,7 +77,7 @@ TEST(Acquire, NamesTheFileAtFaultAndWritesNothing) {
   options.landmarkFile = writeLandmarks("short.csv", 30);
   options.outputFile = temporary("nothing.vtp");
   std::filesystem::remove(options.outputFile);
-  EXPECT_EQ(mien::acquire(options), options.landmarkFile + ":68: landmark 30 is missing; all 68 are needed");
+  EXPECT_EQ(mien::acquire(options), options.landmarkFile + ":68: landmark 30 (nose_tip) is missing; the twelve landmarks with names are needed, see mien acquire --help");
   options.landmarkFile = "/no/landmarks.csv";
   EXPECT_EQ(mien::acquire(options).rfind("/no/landmarks.csv: ", 0), 0u);
   options.landmarkFile = writeLandmarks("landmarks.csv");
