@@ -16,6 +16,8 @@ void addRenderCommand(CLI::App& program);
 void addAnimateCommand(CLI::App& program);
 void addConvertCommand(CLI::App& program);
 void addAcquireCommand(CLI::App& program);
+void addAdaptCommand(CLI::App& program);
+void addEditCommand(CLI::App& program);
 void addContinuityCommand(CLI::App& program);
 void addSpectrumCommand(CLI::App& program);
 void addSweepCommand(CLI::App& program);

@@ -27,6 +27,8 @@ void addCommands(CLI::App& program) {
   mien::addAnimateCommand(program);
   mien::addConvertCommand(program);
   mien::addAcquireCommand(program);
+  mien::addAdaptCommand(program);
+  mien::addEditCommand(program);
   mien::addContinuityCommand(program);
   mien::addSpectrumCommand(program);
   mien::addSweepCommand(program);

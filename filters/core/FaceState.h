@@ -1,10 +1,12 @@
 #pragma once
 
+#include "CurveEdit.h"
 #include "FaceSurface.h"
 #include "GridResolution.h"
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace mien {
 
@@ -34,6 +36,7 @@ struct FaceState {
   };
 
   std::string curvesFile;      ///< .vtp of boundary curves; empty: the generic face
+  std::vector<CurveEdit> edits;  ///< of the neutral curves, one after the other
   FaceSurfaceOptions surface;  ///< scheme, a per patch, N, remainder, derivative strength
 
   int rows = 56;     ///< of the uv mesh, both lip rows counted

@@ -9,6 +9,7 @@ namespace mien {
 /// Text form of a FaceState: a JSON object with the members
 /// - `mien_face_state`: the version, 2;
 /// - `curves`: file name, left out for the generic face;
+/// - `edits`: list of `curve` (name), `v` (radians), `move` (three numbers, mm), `width` (radians), `spread`, `mirrored`; left out without one;
 /// - `surface`: `scheme`, `a` (nine numbers), `harmonics`, `remainder`, `derivative_strength`;
 /// - `grid`: `rows`, `columns`, `uniform_rows`, `precision` ("single" or "double");
 /// - `animation`: `file`, one of `frame`, `index`, `time` (s), and `interpolate`; left out without a file;

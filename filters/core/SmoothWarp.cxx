@@ -21,7 +21,9 @@ SmoothWarp::SmoothWarp(const Points& from, const Points& to, double softness) : 
   system.bottomLeftCorner(d + 1, n) = system.topRightCorner(n, d + 1).transpose();
   Eigen::MatrixXd places = Eigen::MatrixXd::Zero(n + d + 1, d);
   places.topRows(n) = to;
-  weights_ = system.fullPivLu().solve(places);
+  const Eigen::FullPivLU<Eigen::MatrixXd> solver(system);
+  weights_ = solver.solve(places);
+  sound_ = system.allFinite() && solver.isInvertible() && weights_.allFinite();
 }
 
 double SmoothWarp::radial(double r) const {

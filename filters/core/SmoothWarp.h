@@ -16,7 +16,7 @@ class SmoothWarp {
   SmoothWarp(const Points& from, const Points& to, double softness = 0.0);
 
   /// Whether the equations determine a finite map.
-  bool sound() const { return weights_.allFinite(); }
+  bool sound() const { return sound_; }
 
   Eigen::VectorXd operator()(const Eigen::VectorXd& place) const;
 
@@ -30,6 +30,7 @@ class SmoothWarp {
   Points weights_;    ///< one row per point, then 1 and the coordinates
   Eigen::VectorXd middle_;
   double scale_ = 1.0;
+  bool sound_ = false;
 };
 
 }  // namespace mien
