@@ -10,11 +10,14 @@
 #include "vtkCurveEditFilter.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
+#include "vtkFDTDeformationFilter.h"
+#include "vtkFDTReader.h"
 #include "vtkGeometryFilter.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPassThrough.h"
 #include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
 
 #include <algorithm>
 #include <sstream>
@@ -52,6 +55,9 @@ struct FacePipeline::Internals
   vtkNew<vtkFAPAnimationFilter> animation;
   vtkNew<vtkPassThrough> curves;
   vtkNew<vtkPDEFaceFilter> face;
+  vtkNew<vtkFDTReader> table;
+  vtkNew<vtkFDTDeformationFilter> deformation;
+  vtkNew<vtkPassThrough> skin;
   vtkNew<vtkGeometryFilter> surface;
   PipelineErrors errors;
 
@@ -61,8 +67,12 @@ struct FacePipeline::Internals
     animation->SetInputConnection(edit->GetOutputPort());
     curves->SetInputConnection(animation->GetOutputPort());
     face->SetInputConnection(curves->GetOutputPort());
-    surface->SetInputConnection(face->GetOutputPort());
-    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{ reader, edit, frames, animation, curves, face, surface })
+    deformation->SetInputConnection(face->GetOutputPort());
+    deformation->SetTableConnection(table->GetOutputPort());
+    skin->SetInputConnection(face->GetOutputPort());
+    surface->SetInputConnection(skin->GetOutputPort());
+    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{ reader, edit, frames, animation, curves, face, table,
+           deformation, skin, surface })
       errors.observe(algorithm);
   }
 
@@ -133,6 +143,17 @@ struct FacePipeline::Internals
     return text.str();
   }
 
+  /// The table bends the surface between the face and what shows it.
+  void setDeformation()
+  {
+    const FaceDeformation& chosen = state.deformation;
+    const bool none = chosen.table.empty();
+    table->SetFileName(none ? nullptr : chosen.table.c_str());
+    deformation->SetStrength(chosen.strength);
+    deformation->SetSmooth(chosen.smooth);
+    skin->SetInputConnection((none ? static_cast<vtkAlgorithm*>(face) : deformation)->GetOutputPort());
+  }
+
   void setGrid()
   {
     face->SetResolution(state.rows, state.columns);
@@ -160,6 +181,7 @@ struct FacePipeline::Internals
       reader->Modified();
       edit->Modified();
       frames->Modified();
+      table->Modified();
     }
     return fault;
   }
@@ -208,6 +230,7 @@ void FacePipeline::setState(const FaceState& state)
   this->Impl->setMotion();
   this->Impl->face->SetParameters(state.surface);
   this->Impl->setGrid();
+  this->Impl->setDeformation();
 }
 
 const FaceState& FacePipeline::state() const
@@ -238,6 +261,11 @@ vtkAlgorithm* FacePipeline::curves() const
 vtkPDEFaceFilter* FacePipeline::face() const
 {
   return this->Impl->face;
+}
+
+vtkStructuredGrid* FacePipeline::grid() const
+{
+  return vtkStructuredGrid::SafeDownCast(this->Impl->skin->GetOutputDataObject(0));
 }
 
 vtkAlgorithm* FacePipeline::surface() const
