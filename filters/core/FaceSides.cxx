@@ -5,12 +5,13 @@
 #include <limits>
 #include <queue>
 
+#include "SmoothStep.h"
+
 namespace mien {
 
 namespace {
 
 constexpr double unreachable = std::numeric_limits<double>::infinity();
-using Vertices = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// Neighbours of vertex i are targets[starts[i]] .. targets[starts[i + 1] - 1].
 struct Neighbours {
@@ -28,14 +29,8 @@ struct Neighbours {
   }
 };
 
-/// 1 at 0, 0 from 1 on, with continuous slope.
-double fade(double t) {
-  t = std::clamp(1.0 - t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 /// Dijkstra's shortest paths along edges, up to a length.
-std::vector<double> distancesFrom(const std::vector<int>& seeds, double longest, const Vertices& vertices,
+std::vector<double> distancesFrom(const std::vector<int>& seeds, double longest, const MeshVertices& vertices,
                                   const Neighbours& neighbours) {
   using Entry = std::pair<double, int>;
   std::vector<double> distances(vertices.rows(), unreachable);
@@ -64,7 +59,7 @@ MeshEdges edgesOf(const TriangleMesh& mesh) {
   return edges;
 }
 
-std::vector<double> slitSides(const Vertices& vertices, const MeshEdges& edges, const MeshSlit& slit) {
+std::vector<double> slitSides(const MeshVertices& vertices, const MeshEdges& edges, const MeshSlit& slit) {
   const Neighbours neighbours(vertices.rows(), edges);
   const std::vector<double> toUpper = distancesFrom(slit.upper, slit.reach + slit.halfWidth, vertices, neighbours);
   const std::vector<double> toLower = distancesFrom(slit.lower, slit.reach + slit.halfWidth, vertices, neighbours);
@@ -76,12 +71,12 @@ std::vector<double> slitSides(const Vertices& vertices, const MeshEdges& edges, 
     const double difference = std::isfinite(toUpper[i]) && std::isfinite(toLower[i]) ? toLower[i] - toUpper[i]
                               : std::isfinite(toUpper[i])                            ? slit.halfWidth
                                                                                      : -slit.halfWidth;
-    sides[i] = std::clamp(difference / slit.halfWidth, -1.0, 1.0) * fade(nearer / slit.reach);
+    sides[i] = std::clamp(difference / slit.halfWidth, -1.0, 1.0) * smoothStep(1.0 - nearer / slit.reach);
   }
   return sides;
 }
 
-std::vector<FaceSide> faceSides(const Vertices& vertices, const MeshEdges& edges, const std::array<int, 68>& landmarks,
+std::vector<FaceSide> faceSides(const MeshVertices& vertices, const MeshEdges& edges, const LandmarkVertices& landmarks,
                                 const FacialRegions& regions, double unit) {
   const auto sidesOf = [&](const std::vector<int>& upper, const std::vector<int>& lower, int begin, int end,
                            double reach) {
