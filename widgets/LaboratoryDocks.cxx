@@ -1,9 +1,11 @@
 #include "LaboratoryDocks.h"
 
 #include "ContinuityPanel.h"
+#include "FAPPlotPanel.h"
 #include "FaceView.h"
 #include "SmoothingPanel.h"
 #include "SpectrumPanel.h"
+#include "TimelinePanel.h"
 #include "ViewFrame.h"
 
 #include <QAction>
@@ -19,15 +21,16 @@ constexpr int startHeight = 290;  // pixels: nine rows of a table, and half of a
 
 }  // namespace
 
-LaboratoryDocks::LaboratoryDocks(FaceModel* model, FaceView* view, QMainWindow* window)
+LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, FaceView* view, QMainWindow* window)
     : QObject(window), view_(view), window_(window) {
   window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  plot_ = add("plotDock", tr("FAPs over time"), new FAPPlotPanel(model, player));
   add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
 }
 
-void LaboratoryDocks::add(const QString& name, const QString& title, QWidget* panel) {
+QDockWidget* LaboratoryDocks::add(const QString& name, const QString& title, QWidget* panel) {
   auto* dock = new QDockWidget(title, window_);
   dock->setObjectName(name);
   dock->setWidget(panel);
@@ -41,6 +44,22 @@ void LaboratoryDocks::add(const QString& name, const QString& title, QWidget* pa
     if (shown) dock->raise();
   });
   dock->hide();
+  return dock;
+}
+
+void LaboratoryDocks::addPlotButton(TimelinePanel* timeline) {
+  auto* button = new QToolButton(timeline);
+  button->setObjectName("timelinePlot");
+  button->setText(tr("Plot"));
+  button->setToolTip(tr("The FAPs of the animation over time, below"));
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::TabFocus);
+  connect(button, &QToolButton::clicked, plot_, [this](bool on) {
+    plot_->setVisible(on);
+    if (on) plot_->raise();
+  });
+  connect(plot_->toggleViewAction(), &QAction::toggled, button, &QToolButton::setChecked);
+  timeline->addButton(button);
 }
 
 void LaboratoryDocks::addSkinButton(ViewFrame* frame) {
