@@ -31,6 +31,7 @@ void addCommands(CLI::App& program) {
   mien::addSweepCommand(program);
   mien::addInfluenceCommand(program);
   mien::addCompareCommand(program);
+  mien::addFatCommand(program);
 }
 
 /// A first argument that is neither an option nor a command, which CLI11 would only call missing.

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <map>
 #include <numeric>
-#include <sstream>
+#include <string>
 #include <vector>
 
 #include "AnimationTableFile.h"
@@ -23,6 +23,8 @@
 namespace mien {
 
 namespace {
+
+constexpr size_t largestTable = 4 << 20;  // bytes
 
 /// The curve that a line holds: by `CurveId`, else by the order of the lines; -1 for none.
 int curveOfLine(vtkPolyData* data, vtkIdType line) {
@@ -89,10 +91,15 @@ vtkSmartPointer<vtkPolyData> withOwnPoints(vtkPolyData* data) {
 std::string readAnimationTable(const std::string& fileName, AnimationTable& table) {
   if (fileName.empty()) return table.parse(AnimationTableFile());
   std::ifstream file(fileName, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) return fileName + ": the animation table cannot be read; give a JSON file";
-  const std::string fault = table.parse(text.str());
-  return fault.empty() ? fault : fileName + ": " + fault;
+  std::string text(largestTable + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad() || (file.gcount() == 0 && !file.eof()))
+    return fileName + ": the animation table cannot be read; give a JSON file";
+  text.resize(file.gcount());
+  if (text.size() > largestTable) return fileName + ": the file is larger than 4 MiB, and no animation table";
+  const std::string fault = table.parse(text);
+  if (fault.empty()) return fault;
+  return fileName + (table.faultLine() > 0 ? ":" + std::to_string(table.faultLine()) : "") + ": " + fault;
 }
 
 const ExpressionLibrary& defaultExpressions() {

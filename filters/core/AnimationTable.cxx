@@ -176,13 +176,20 @@ ContactPair parseContact(const Json& json) {
   return pair;
 }
 
+/// The sentence of a fault that the JSON library found, without its number.
+std::string plainText(const Json::exception& error) {
+  const std::string text = error.what();
+  const size_t end = text.find("] ");
+  return end == std::string::npos ? text : text.substr(end + 2);
+}
+
 /// Runs one step of parsing; a fault is told with the name of what was being parsed.
 template <typename Step>
 void within(const std::string& place, Step&& step) {
   try {
     step();
   } catch (const Json::exception& error) {
-    refuse(place + ": " + error.what());
+    refuse(place + ": " + plainText(error));
   } catch (const std::invalid_argument& error) {
     refuse(place + ": " + error.what());
   }
@@ -232,6 +239,7 @@ bool isKnownVersion(const Json& version) {
 }
 
 struct TableContent {
+  int version = 0;
   std::vector<AnimationEntry> entries;
   std::vector<ContactPair> contacts;
   std::vector<CurveBand> sideways;
@@ -242,6 +250,7 @@ void parseRoot(const Json& root, TableContent& content) {
     refuse("\"format\" is not \"mien animation table\"");
   if (!isKnownVersion(root.value("version", Json())))
     refuse("its version is none of those known, 1 to " + std::to_string(AnimationTable::version));
+  content.version = root["version"].get<int>();
   refuseUnknownKeys(root, {"format", "version", "contacts", "sideways", "faps"});
   if (!root.contains("faps") || !root["faps"].is_array()) refuse("it has no list \"faps\"");
   if (root.contains("contacts"))
@@ -260,13 +269,19 @@ void parseRoot(const Json& root, TableContent& content) {
 
 std::string AnimationTable::parse(const std::string& json) {
   TableContent content;
+  faultLine_ = 0;
   try {
     parseRoot(Json::parse(json), content);
+  } catch (const Json::parse_error& error) {
+    const auto end = json.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, json.size()));
+    faultLine_ = 1 + static_cast<int>(std::count(json.begin(), end, '\n'));
+    return "animation table: it is no valid JSON from here on; look for a missing comma, quote or bracket";
   } catch (const Json::exception& error) {
-    return std::string("animation table: it is no valid JSON: ") + error.what();
+    return "animation table: " + plainText(error);
   } catch (const std::invalid_argument& error) {
     return std::string("animation table: ") + error.what();
   }
+  fileVersion_ = content.version;
   entries_ = std::move(content.entries);
   contacts_ = std::move(content.contacts);
   sideways_ = std::move(content.sideways);

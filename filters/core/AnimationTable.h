@@ -62,6 +62,11 @@ class AnimationTable {
   /// @return nothing, or one sentence that names the entry and what is wrong with it
   std::string parse(const std::string& json);
 
+  /// The line at which the last fault lay, from 1, when the text was no JSON; else 0.
+  int faultLine() const { return faultLine_; }
+
+  int fileVersion() const { return fileVersion_; }  ///< of the text read last
+
   const std::vector<AnimationEntry>& entries() const { return entries_; }
   const std::vector<ContactPair>& contacts() const { return contacts_; }
   const std::vector<CurveBand>& sideways() const { return sideways_; }
@@ -71,6 +76,7 @@ class AnimationTable {
   std::vector<AnimationEntry> entries_;
   std::vector<ContactPair> contacts_;
   std::vector<CurveBand> sideways_;
+  int faultLine_ = 0, fileVersion_ = version;
 };
 
 }  // namespace mien

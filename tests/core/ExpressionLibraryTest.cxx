@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
 #include "AnimationTable.h"
 #include "DataFile.h"
 #include "ExpressionLibrary.h"
@@ -73,4 +77,19 @@ TEST(ExpressionLibrary, RefusesFaultsAndNamesTheExpression) {
   EXPECT_NE(library.parse("{").find("expressions: "), std::string::npos);
   EXPECT_NE(library.parse(R"({"format": "mien expressions", "version": 9})").find("version"), std::string::npos);
   EXPECT_EQ(library.expressions().size(), 1u);
+}
+
+TEST(ExpressionLibrary, RefusesTheMalformedFiles) {
+  int files = 0;
+  for (const auto& file : std::filesystem::directory_iterator(std::string(MIEN_TEST_DIR) + "/data/malformed/expressions")) {
+    std::ostringstream text;
+    text << std::ifstream(file.path(), std::ios::binary).rdbuf();
+    ExpressionLibrary library;
+    const std::string fault = library.parse(text.str());
+    EXPECT_FALSE(fault.empty()) << file.path();
+    EXPECT_EQ(fault.find('\n'), std::string::npos) << fault;
+    EXPECT_TRUE(library.expressions().empty());
+    ++files;
+  }
+  EXPECT_GE(files, 10);
 }

@@ -364,6 +364,23 @@ TEST_P(FaceAnimatorTest, AbsurdValuesKeepTheCurvesInOrder) {
     }
 }
 
+TEST_P(FaceAnimatorTest, TheExampleOfATableEvaluatesAsPrinted) {
+  ASSERT_EQ(table.parse(R"({"format": "mien animation table", "version": 2, "faps": [{"fap": 6,
+    "borders": [-1000, 0, 500, 1000], "parts": [{"curves": ["C22", "C22'"], "slopes": [[1, 0, 0], [0.9, 0, 0], [1.5, 0, 4]],
+    "profile": {"shape": "sinusoid", "knots": [["8.1", 0], ["2.4", 1], ["8.3+60", 0]]}}]}]})"),
+            "");
+  ASSERT_EQ(animator.bind(face, table), "");
+  const FeaturePoint* feature = face.feature("2.4");
+  const double unit = animator.units().perValue(FAPUnit::MouthWidth);
+  for (const auto& [value, x, z] : {std::tuple{300.0, 270.0, 0.0}, {600.0, 600.0, 400.0}, {-200.0, -200.0, 0.0}}) {
+    FAPFrame frame;
+    frame.setValue(6, value);
+    const Eigen::Vector3d shift =
+        animator.animate(frame).at(feature->curve, feature->v) - face.curves.at(feature->curve, feature->v);
+    EXPECT_LT((shift - unit * Eigen::Vector3d(x, 0.0, z)).norm(), 1e-9) << value;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(PointsPerCurve, FaceAnimatorTest, testing::Values(32, 40, 64));
 
 TEST(FaceAnimator, NamesWhatAFaceLacks) {
