@@ -20,6 +20,7 @@ void addSpectrumCommand(CLI::App& program);
 void addSweepCommand(CLI::App& program);
 void addInfluenceCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
+void addVectorsCommand(CLI::App& program);
 void addFatCommand(CLI::App& program);
 
 }  // namespace mien

@@ -130,8 +130,11 @@ void FaceOptions::fillFAPValues(FaceState& state) const {
 }
 
 void FaceOptions::apply(FacePipeline& pipeline) const {
-  const FaceState state = this->state();
-  pipeline.setState(state);
+  pipeline.setState(state());
+  checkOrThrow(pipeline);
+}
+
+void checkOrThrow(FacePipeline& pipeline) {
   const std::string fileFault = pipeline.updateNeutralCurves();
   if (!fileFault.empty()) throw FileFailure(fileFault);
   const std::string valueFault = pipeline.describeValueFault();

@@ -51,6 +51,9 @@ class FaceOptions {
   bool noRemainder_ = false, uniformRows_ = false;
 };
 
+/// Reads the curves and the animation file and checks the pipeline's state against them: a FileFailure or a ValueFailure.
+void checkOrThrow(FacePipeline& pipeline);
+
 /// Brings the pipeline's surface up to date; what stops it is a FileFailure.
 void updateOrThrow(FacePipeline& pipeline);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "Figure.h"
+#include "FigureOptions.h"
 
 namespace CLI {
 class App;
@@ -40,12 +41,10 @@ class ReportOptions {
   void deliver(const Report& report, const std::string& command) const;
 
  private:
-  double width() const;
-  double dotsPerInch() const;
   void writeFigure(const Figure& figure, const std::string& name, const std::string& command) const;
 
   std::vector<std::string> otherEndings_, outputs_;
-  std::string width_ = "170", theme_ = "light", dotsPerInch_ = "300";
+  FigureOptions drawing_{"170"};
   bool json_ = false;
 };
 

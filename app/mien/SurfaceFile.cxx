@@ -18,8 +18,6 @@
 
 namespace mien {
 
-namespace {
-
 vtkSmartPointer<vtkPolyData> outwardPolygons(vtkStructuredGrid* grid, bool triangles) {
   vtkNew<vtkGeometryFilter> polygons;
   polygons->SetInputData(grid);
@@ -31,6 +29,8 @@ vtkSmartPointer<vtkPolyData> outwardPolygons(vtkStructuredGrid* grid, bool trian
   last->Update();
   return vtkPolyData::SafeDownCast(last->GetOutputDataObject(0));
 }
+
+namespace {
 
 template <class Writer>
 void write(Writer* writer, vtkDataObject* data, const std::string& name) {

@@ -31,6 +31,7 @@ void addCommands(CLI::App& program) {
   mien::addSweepCommand(program);
   mien::addInfluenceCommand(program);
   mien::addCompareCommand(program);
+  mien::addVectorsCommand(program);
   mien::addFatCommand(program);
 }
 
