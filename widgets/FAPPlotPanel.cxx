@@ -7,6 +7,7 @@
 #include "FaceModel.h"
 #include "FigureView.h"
 #include "NumberText.h"
+#include "ScreenFigure.h"
 #include "SeriesStyle.h"
 
 #include <QEvent>
@@ -55,7 +56,7 @@ QIcon swatch(int style) {
   QPainter painter(&picture);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.scale(2.0 * swatchScale, 2.0 * swatchScale);
-  const SeriesStyle drawn(FigureView::screenTheme(), style);
+  const SeriesStyle drawn(screenTheme(), style);
   const double width = swatchWidth / swatchScale, middle = 0.5 * swatchHeight / swatchScale;
   painter.setPen(drawn.linePen());
   painter.drawLine(QPointF(0.0, middle), QPointF(width, middle));

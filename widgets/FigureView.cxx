@@ -1,5 +1,6 @@
 #include "FigureView.h"
 
+#include "ScreenFigure.h"
 #include "Theme.h"
 
 #include <QKeyEvent>
@@ -13,8 +14,7 @@ namespace mien {
 
 namespace {
 
-constexpr double millimetresPerPixel = 25.4 / 96.0 / 1.25;  // type of 7 pt is as large as the interface's own
-constexpr double unitsPerPixel = millimetresPerPixel * figureUnitsPerMillimetre;
+constexpr double unitsPerPixel = figureUnitsPerPixel;
 constexpr double handle = 5.0;  // pixels
 constexpr int veil = 170;       // of 255, over what does not count
 constexpr double wheelNotch = 120.0, notchZoom = 1.25;
@@ -54,13 +54,6 @@ void FigureView::setMarked(std::optional<double> x) {
 void FigureView::setBand(std::optional<std::pair<double, double>> band) {
   band_ = band;
   update();
-}
-
-FigureTheme FigureView::screenTheme() {
-  const Theme& theme = Theme::current();
-  FigureTheme colors = *FigureTheme::find(theme.kind == Theme::Kind::Dark ? "dark" : "light");
-  colors.background = theme.panel;
-  return colors;
 }
 
 void FigureView::layOut() {

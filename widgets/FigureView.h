@@ -36,9 +36,6 @@ class FigureView : public QWidget {
   void setBand(std::optional<std::pair<double, double>> band);
   std::optional<std::pair<double, double>> band() const { return band_; }
 
-  /// The colours of figures on the screen, which follow the application's theme.
-  static FigureTheme screenTheme();
-
   /// Where a pair of values of a panel lies, in pixels.
   QPointF pixelOf(int panel, double x, double y) const;
 

@@ -6,6 +6,7 @@
 #include "SmoothingPanel.h"
 #include "SpectrumPanel.h"
 #include "TimelinePanel.h"
+#include "VectorPanel.h"
 #include "ViewFrame.h"
 
 #include <QAction>
@@ -17,7 +18,8 @@ namespace mien {
 
 namespace {
 
-constexpr int startHeight = 290;  // pixels: nine rows of a table, and half of a window of 800 left for the face
+constexpr int startHeight = 290;   // pixels: nine rows of a table, and half of a window of 800 left for the face
+constexpr int pictureHeight = 380;  // pixels of a dock that shows a face itself
 
 }  // namespace
 
@@ -25,6 +27,10 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
     : QObject(window), view_(view), window_(window) {
   window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   plot_ = add("plotDock", tr("FAPs over time"), new FAPPlotPanel(model, player));
+  QDockWidget* vectors = add("vectorsDock", tr("Motion vectors"), new VectorPanel(model, view));
+  connect(vectors->toggleViewAction(), &QAction::triggered, this, [this, vectors](bool shown) {
+    if (shown && vectors->height() < pictureHeight) window_->resizeDocks({vectors}, {pictureHeight}, Qt::Vertical);
+  });
   add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
