@@ -22,7 +22,6 @@
 #include "vtkIdList.h"
 #include "vtkMotionVectorFilter.h"
 #include "vtkNew.h"
-#include "vtkPDEFaceFilter.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 
@@ -184,7 +183,7 @@ VectorMoment VectorSource::againstMesh(const FaceState& state, const PicturePlan
   motion_->setStates(state, FaceMotion::neutralOf(state));
   checkOrThrow(motion_->moved());
   updateOrThrow(motion_->moved());
-  vtkStructuredGrid* grid = motion_->moved().face()->GetOutput();
+  vtkStructuredGrid* grid = motion_->moved().grid();
   vtkSmartPointer<vtkPointSet> moved = grid;
   if (fileEnding(against_) == "vtp")
     moved = outwardPolygons(grid, false);

@@ -9,7 +9,6 @@
 #include "vtkFieldData.h"
 #include "vtkMotionVectorFilter.h"
 #include "vtkNew.h"
-#include "vtkPDEFaceFilter.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 
@@ -36,14 +35,12 @@ struct FaceMotion::Internals {
   MotionField field;
   FaceCurves originFace;
 
-  Internals() {
-    filter->SetInputConnection(moved.face()->GetOutputPort());
-    filter->SetNeutralConnection(origin.face()->GetOutputPort());
-    errors.observe(filter);
-  }
+  Internals() { errors.observe(filter); }
 
   std::string updateVectors() {
     errors.clear();
+    filter->SetInputData(moved.grid());
+    filter->SetNeutralData(origin.grid());
     filter->Update();
     if (!errors.first().empty()) filter->Modified();
     return errors.first();
@@ -112,7 +109,7 @@ std::string FaceMotion::update() {
   std::string fault = Impl->updateVectors();
   if (fault.empty()) fault = Impl->readOriginFace();
   if (!fault.empty()) return fault;
-  return readMotionField(Impl->filter->GetOutput(), Impl->origin.face()->GetOutput(), Impl->drawn.face()->GetOutput(),
+  return readMotionField(Impl->filter->GetOutput(), Impl->origin.grid(), Impl->drawn.grid(),
                          Impl->filter->GetRemoveHeadRotation(), Impl->field);
 }
 
