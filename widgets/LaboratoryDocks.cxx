@@ -14,12 +14,15 @@
 #include <QMainWindow>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace mien {
 
 namespace {
 
 constexpr int startHeight = 290;   // pixels: nine rows of a table, and half of a window of 800 left for the face
 constexpr int pictureHeight = 380;  // pixels of a dock that shows a face itself
+constexpr double pictureShare = 0.4;  // of a higher window
 
 }  // namespace
 
@@ -29,7 +32,8 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
   plot_ = add("plotDock", tr("FAPs over time"), new FAPPlotPanel(model, player));
   QDockWidget* vectors = add("vectorsDock", tr("Motion vectors"), new VectorPanel(model, view));
   connect(vectors->toggleViewAction(), &QAction::triggered, this, [this, vectors](bool shown) {
-    if (shown && vectors->height() < pictureHeight) window_->resizeDocks({vectors}, {pictureHeight}, Qt::Vertical);
+    const int height = std::max(pictureHeight, static_cast<int>(pictureShare * window_->height()));
+    if (shown && vectors->height() < height) window_->resizeDocks({vectors}, {height}, Qt::Vertical);
   });
   add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));

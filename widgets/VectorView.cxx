@@ -9,6 +9,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace mien {
 
 VectorView::VectorView(const QString& objectName, QWidget* parent) : QWidget(parent) {
@@ -31,12 +33,16 @@ void VectorView::setHint(const QString& hint) {
   update();
 }
 
+QPointF VectorView::shift() const {
+  return {std::max(0.0, 0.5 * (width() - figure_->size().width() / figureUnitsPerPixel)), 0.0};
+}
+
 QPointF VectorView::pixelOf(const Eigen::Vector2d& place) const {
-  return figure_ ? figure_->panels().front().toFigure(place) / figureUnitsPerPixel : QPointF();
+  return figure_ ? figure_->panels().front().toFigure(place) / figureUnitsPerPixel + shift() : QPointF();
 }
 
 Eigen::Vector2d VectorView::placeOf(const QPointF& pixel) const {
-  return figure_->panels().front().toFace(pixel * figureUnitsPerPixel);
+  return figure_->panels().front().toFace((pixel - shift()) * figureUnitsPerPixel);
 }
 
 void VectorView::paintEvent(QPaintEvent*) {
@@ -63,6 +69,7 @@ void VectorView::drawPicture() {
   picture_.setDevicePixelRatio(devicePixelRatioF());
   picture_.fill(Theme::current().panel);
   QPainter painter(&picture_);
+  painter.translate(shift());
   painter.scale(1.0 / figureUnitsPerPixel, 1.0 / figureUnitsPerPixel);
   figure_->paint(painter);
 }

@@ -46,6 +46,7 @@ class VectorView : public QWidget {
 
  private:
   Eigen::Vector2d placeOf(const QPointF& pixel) const;
+  QPointF shift() const;  ///< of the figure, which stands in the middle, in pixels
   void drawPicture();
 
   std::shared_ptr<const MotionVectorFigure> figure_;
