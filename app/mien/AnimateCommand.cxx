@@ -248,6 +248,7 @@ void addAnimateCommand(CLI::App& program) {
   options->frames.addTo(*command);
   options->picture.addTo(*command);
   options->face.addSurfaceOptions(*command);
+  options->face.addTextureOptions(*command);
   command->footer(
       "Example: mien animate speech.fap -o frames/ --contact-sheet sheet.png\n"
       "         mien animate speech.fap --scheme tangent --view 45 -o speech.ogv\n"

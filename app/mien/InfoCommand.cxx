@@ -125,7 +125,7 @@ void run(const Options& options) {
 void addInfoCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("info", "Tell what a file or the generic face holds");
-  command->add_option("file", options->file, "Boundary curves .vtp or animation .fap .csv [the generic face]");
+  command->add_option("file", options->file, "Boundary curves .vtp .mienz or animation .fap .csv [the generic face]");
   command->add_flag("--json", options->json, "Machine-readable");
   options->face.addSurfaceOptions(*command);
   command->footer("Example: mien info --json\n         mien info speech.fap\n         mien info take.csv\n         mien info --resolution 60x40");

@@ -27,12 +27,16 @@ void addCommands(CLI::App& program) {
   mien::addAnimateCommand(program);
   mien::addConvertCommand(program);
   mien::addAcquireCommand(program);
+  mien::addAdaptCommand(program);
+  mien::addEditCommand(program);
   mien::addContinuityCommand(program);
   mien::addSpectrumCommand(program);
   mien::addSweepCommand(program);
   mien::addInfluenceCommand(program);
   mien::addCompareCommand(program);
   mien::addVectorsCommand(program);
+  mien::addTextureCommand(program);
+  mien::addLodCommand(program);
   mien::addFatCommand(program);
 }
 
