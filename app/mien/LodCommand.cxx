@@ -42,7 +42,7 @@ struct Options {
 
 constexpr long long gzipFrame = 12;  // bytes that gzip's header and trailer are longer than zlib's
 
-/// The scan, and its curves: from --face, or measured with the landmarks.
+/// The scan, and its curves: from --face, which must be in the frame of the scan, or measured as by mien acquire.
 class MeasuredScan {
  public:
   explicit MeasuredScan(const Options& options) {
@@ -57,21 +57,19 @@ class MeasuredScan {
     if (!fault.empty()) throw FileFailure(face + ": " + fault);
   }
 
-  vtkPolyData* scan() const { return scan_->GetOutput(); }
+  vtkPolyData* scan() const { return measured_; }  ///< mm, in the frame of the curves
   vtkPolyData* curves() const { return curves_; }
   FaceCurves face;
 
  private:
   void acquire(const Options& options) {
-    if (options.landmarks.empty())
-      throw ValueFailure(
-          "the curves of the scan are not known; give --landmarks FILE.csv, or --face FILE with curves measured on it");
     acquisition_->SetInputConnection(scan_->GetOutputPort());
-    acquisition_->SetLandmarkFileName(options.landmarks.c_str());
+    if (!options.landmarks.empty()) acquisition_->SetLandmarkFileName(options.landmarks.c_str());
     acquisition_->SetPointsPerCurve(parseWholeNumber("--points", options.points));
     acquisition_->Update();
-    requireNoError(options.landmarks);
+    requireNoError((options.landmarks.empty() ? options.scan : options.landmarks) + ":");
     curves_ = acquisition_->GetOutput();
+    measured_ = vtkPolyData::SafeDownCast(acquisition_->GetOutputDataObject(1));
   }
 
   void read(const std::string& name) {
@@ -79,20 +77,21 @@ class MeasuredScan {
     reader_->Update();
     requireNoError("");
     curves_ = reader_->GetOutput();
+    measured_ = scan_->GetOutput();
   }
 
-  /// @param landmarks  what the message may already name; else it is about the scan
-  void requireNoError(const std::string& landmarks) const {
+  /// @param start  of a message that names its file; any other is about the scan
+  void requireNoError(const std::string& start) const {
     const std::string fault = errors_.first();
     if (fault.empty()) return;
-    const bool named = landmarks.empty() || fault.rfind(landmarks + ":", 0) == 0;
+    const bool named = fault.rfind(start, 0) == 0;
     throw FileFailure(named ? fault : scan_->GetFileName() + (": " + fault));
   }
 
   vtkNew<vtkScanReader> scan_;
   vtkNew<vtkBoundaryCurveAcquisitionFilter> acquisition_;
   vtkNew<vtkBoundaryCurveReader> reader_;
-  vtkPolyData* curves_ = nullptr;
+  vtkPolyData *curves_ = nullptr, *measured_ = nullptr;
   PipelineErrors errors_;
 };
 
@@ -215,8 +214,9 @@ void run(const Options& options) {
 void addLodCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("lod", "Compare levels of detail of a scanned head: bytes against error");
-  command->add_option("scan", options->scan, "Scan of a head in mm: .ply .obj .stl .off")->required();
-  command->add_option("--landmarks", options->landmarks, "68 landmarks of the scan, FILE.csv as for mien acquire");
+  command->add_option("scan", options->scan, "Scan of a head: .ply .obj .stl .off; in mm with --face")->required();
+  command->add_option("--landmarks", options->landmarks,
+                      "68 landmarks of the scan, FILE.csv as for mien acquire [fitted]");
   command->add_option("--points", options->points, "K, points per curve that are measured, even")
       ->capture_default_str();
   command->add_option("--tolerances", options->tolerances, "RMS errors of the compact faces, mm")
