@@ -1,6 +1,7 @@
 #include "LaboratoryDocks.h"
 
 #include "ContinuityPanel.h"
+#include "DeformationPanel.h"
 #include "FaceView.h"
 #include "SmoothingPanel.h"
 #include "SpectrumPanel.h"
@@ -25,6 +26,7 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, FaceView* view, QMainWindow* 
   add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
+  add("deformationDock", tr("Deformation"), new DeformationPanel(model, view));
 }
 
 void LaboratoryDocks::add(const QString& name, const QString& title, QWidget* panel) {
