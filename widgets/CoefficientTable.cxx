@@ -14,8 +14,8 @@ namespace mien {
 
 namespace {
 
-constexpr int coefficientCount = 12, rmsColumn = 12, pointsColumn = 13, columnCount = 14;
-constexpr int rowHeight = 26, leastWidth = 43;  // pixels
+constexpr int coefficientCount = 12, rmsColumn = 12, pointsColumn = 13, allColumns = 14;
+constexpr int lineHeight = 26, leastWidth = 43;  // pixels
 constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
 constexpr const char* units[] = {"1/pupil unit", "1/pupil unit", "1/pupil unit", "no unit", "no unit", "pupil units"};
 
@@ -48,7 +48,7 @@ QString regionText(int region) {
 
 }  // namespace
 
-CoefficientTable::CoefficientTable(QWidget* parent) : QTableWidget(DeformationTable::regionCount, columnCount, parent) {
+CoefficientTable::CoefficientTable(QWidget* parent) : QTableWidget(DeformationTable::regionCount, allColumns, parent) {
   setObjectName("deformationCoefficients");
   setAccessibleName(tr("Coefficients of the 16 regions"));
   setToolTip(tr("A click, or Return, shows a region on the face; Ctrl+C copies all coefficients as CSV"));
@@ -92,14 +92,14 @@ void CoefficientTable::addHeaders() {
   horizontalHeader()->setMinimumSectionSize(leastWidth);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   horizontalHeader()->setHighlightSections(false);
-  verticalHeader()->setMinimumSectionSize(rowHeight);
-  verticalHeader()->setDefaultSectionSize(rowHeight);
+  verticalHeader()->setMinimumSectionSize(lineHeight);
+  verticalHeader()->setDefaultSectionSize(lineHeight);
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
 }
 
 void CoefficientTable::addCells() {
   for (int row = 0; row < rowCount(); ++row)
-    for (int column = 0; column < columnCount; ++column) {
+    for (int column = 0; column < allColumns; ++column) {
       auto* cell = new QTableWidgetItem;
       const bool onScale = column < coefficientCount;
       cell->setTextAlignment(onScale ? Qt::AlignHCenter | Qt::AlignTop : Qt::AlignRight | Qt::AlignVCenter);
@@ -175,7 +175,7 @@ std::string CoefficientTable::text() const {
 }
 
 QSize CoefficientTable::sizeHint() const {
-  return {columnCount * leastWidth + 30, 6 * rowHeight};
+  return {allColumns * leastWidth + 30, 6 * lineHeight};
 }
 
 }  // namespace mien

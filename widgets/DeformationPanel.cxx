@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QToolButton>
+#include <QVariant>
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
