@@ -48,7 +48,7 @@ QString droppedFile(const QMimeData* data) {
 
 StudioWindow::StudioWindow()
     : model_(new FaceModel(this)), player_(new AnimationPlayer(model_, this)), face_(new FaceView(model_)),
-      curves_(new CurveView(model_)), messages_(new MessageBar), laboratory_(new LaboratoryDocks(model_, face_, this)) {
+      curves_(new CurveView(model_)), messages_(new MessageBar), laboratory_(new LaboratoryDocks(model_, player_, face_, this)) {
   setObjectName("studioWindow");
   setWindowTitle(tr("Mien Studio"));
   setAcceptDrops(true);
@@ -69,6 +69,7 @@ StudioWindow::~StudioWindow() = default;
 
 QWidget* StudioWindow::centre() {
   auto* timeline = new TimelinePanel(model_, player_);
+  laboratory_->addPlotButton(timeline);
   connect(timeline, &TimelinePanel::openRequested, this, &StudioWindow::chooseAnimation);
   auto* box = new QWidget(this);
   auto* column = new QVBoxLayout(box);

@@ -1,6 +1,10 @@
 #include "VectorSource.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
 
 #include "Arguments.h"
 #include "CsvText.h"
@@ -29,6 +33,10 @@ namespace mien {
 
 namespace {
 
+std::string shortName(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
 constexpr size_t mostFrames = 104;  // (a) .. (z3)
 
 vtkSmartPointer<vtkPointSet> readPoints(const std::string& name) {
@@ -38,23 +46,35 @@ vtkSmartPointer<vtkPointSet> readPoints(const std::string& name) {
   return points;
 }
 
-/// The visible polygons as fans of triangles, as the reader of scans makes them.
-vtkSmartPointer<vtkPolyData> scanTriangles(vtkStructuredGrid* grid) {
-  auto triangles = vtkSmartPointer<vtkPolyData>::New();
-  triangles->ShallowCopy(outwardPolygons(grid, false));
-  vtkCellArray* polygons = triangles->GetPolys();
-  vtkNew<vtkCellArray> fans;
+using Edges = std::set<std::pair<vtkIdType, vtkIdType>>;
+
+/// All pairs of points that share a polygon: its edges and diagonals.
+Edges pairsOf(vtkPolyData* polygons) {
+  Edges pairs;
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell) {
-    polygons->GetCellAtId(cell, ids);
-    for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i) {
-      const vtkIdType corners[3] = {ids->GetId(0), ids->GetId(i - 1), ids->GetId(i)};
-      fans->InsertNextCell(3, corners);
-    }
+    polygons->GetCellPoints(cell, ids);
+    for (const vtkIdType a : *ids)
+      for (const vtkIdType b : *ids) pairs.emplace(a, b);
   }
-  triangles->GetCellData()->Initialize();
-  triangles->SetPolys(fans);
-  return triangles;
+  return pairs;
+}
+
+/// Whether the polygons of a scan cut up those of the face: its reader makes triangles, along either diagonal.
+bool isCutOf(vtkPolyData* scan, vtkPolyData* face) {
+  if (scan->GetNumberOfPoints() != face->GetNumberOfPoints()) return false;
+  const Edges ours = pairsOf(face), theirs = pairsOf(scan);
+  return std::includes(ours.begin(), ours.end(), theirs.begin(), theirs.end());
+}
+
+/// The face with the triangles of the scan when that has the same topology; else as it is.
+vtkSmartPointer<vtkPolyData> cutLike(vtkPolyData* scan, vtkPolyData* face) {
+  if (!scan || !isCutOf(scan, face)) return face;
+  auto cut = vtkSmartPointer<vtkPolyData>::New();
+  cut->ShallowCopy(face);
+  cut->GetCellData()->Initialize();
+  cut->SetPolys(scan->GetPolys());
+  return cut;
 }
 
 vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData* data) {
@@ -184,11 +204,9 @@ VectorMoment VectorSource::againstMesh(const FaceState& state, const PicturePlan
   checkOrThrow(motion_->moved());
   updateOrThrow(motion_->moved());
   vtkStructuredGrid* grid = motion_->moved().grid();
+  const auto origin = readPoints(against_);
   vtkSmartPointer<vtkPointSet> moved = grid;
-  if (fileEnding(against_) == "vtp")
-    moved = outwardPolygons(grid, false);
-  else if (fileEnding(against_) != "vts")
-    moved = scanTriangles(grid);
+  if (fileEnding(against_) != "vts") moved = cutLike(vtkPolyData::SafeDownCast(origin), outwardPolygons(grid, false));
   VectorMoment moment = meshMoment(moved, state.curvesFile.empty() ? "the generic face" : state.curvesFile, plane);
   moment.frame = frameText(state);
   moment.state = state;
@@ -225,11 +243,11 @@ std::string VectorSource::origin() const {
     case Against::Mesh:
       break;
   }
-  return "from " + against_;
+  return "from " + shortName(against_);
 }
 
 std::string VectorSource::note() const {
-  if (!surface_.empty()) return surface_ + " against " + against_ + "; Mien " MIEN_VERSION;
+  if (!surface_.empty()) return shortName(surface_) + " against " + shortName(against_) + "; Mien " MIEN_VERSION;
   const FaceState state = options_.state();
   return faceNote(state, {state.surface.scheme}) + "; " + std::to_string(state.rows) + " x " +
          std::to_string(state.columns);

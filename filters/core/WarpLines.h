@@ -5,6 +5,7 @@
 
 #include "MeshWarp.h"
 #include "PixelLine.h"
+#include "SmoothStep.h"
 
 namespace mien {
 
@@ -31,8 +32,7 @@ void closeRow(const MeshWarp& warp, int row, const PixelLine<Value>& line, int c
     const double way = (x > right ? x - right : x - right + width) / (width - right + left);
     const double places[4] = {0.0, goneOver, 1.0 - goneOver, 1.0};
     const int k = way < places[1] ? 0 : way < places[2] ? 1 : 2;
-    const double t = std::clamp((way - places[k]) / (places[k + 1] - places[k]), 0.0, 1.0);
-    const Value share = static_cast<Value>(t * t * (3.0 - 2.0 * t));
+    const Value share = static_cast<Value>(smoothStep((way - places[k]) / (places[k + 1] - places[k])));
     const Value* colour = colours.data() + k * channels;
     for (int c = 0; c < channels; ++c)
       warped[static_cast<std::ptrdiff_t>(i) * channels + c] = colour[c] + share * (colour[channels + c] - colour[c]);

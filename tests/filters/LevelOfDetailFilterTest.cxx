@@ -80,8 +80,8 @@ TEST(LevelOfDetailFilter, CountsBytesAsThePaperDoesAndMeshesOfTheSameSize) {
   for (int n = 1; n <= 6; ++n) EXPECT_EQ(modes[n - 1]["bytes"], 29 * std::min(2 * n + 1, 12) * 12) << n;
   ASSERT_EQ(rowsOf(table, "compact face").size(), 2u);
   const std::vector<Row> plain = rowsOf(table, "decimated mesh"), packed = rowsOf(table, "packed mesh");
-  ASSERT_EQ(plain.size(), 8u);
-  ASSERT_EQ(packed.size(), 8u);
+  ASSERT_EQ(plain.size(), 7u);  // 3,828 bytes are too near 4,176 for a mesh of their own
+  ASSERT_EQ(packed.size(), 7u);
   EXPECT_NEAR(plain[0]["bytes"] / rowsOf(table, "PDE face")[0]["bytes"], 1.0, 0.1);
   EXPECT_GT(packed[0]["triangles"], 1.5 * plain[0]["triangles"]);
 }
@@ -156,21 +156,25 @@ TEST(LevelOfDetailFilter, StopsWhenItIsToldTo) {
 }
 
 TEST(LevelOfDetailFilter, RunsAgainOnlyWhenSomethingChanged) {
-  const Head head(8);
+  const Head head;
   vtkNew<vtkLevelOfDetailFilter> filter;
   head.connect(filter);
+  filter->SetTolerances({1.0});
+  filter->SetFrontalThreshold(90.0);
   filter->Update();
+  ASSERT_GT(filter->GetOutput()->GetNumberOfRows(), 0);
   vtkMTimeType before = filter->GetOutput()->GetMTime();
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetMTime(), before);
   const auto expectRun = [&](const char* what) {
     filter->Update();
     EXPECT_GT(filter->GetOutput()->GetMTime(), before) << what;
+    EXPECT_GT(filter->GetOutput()->GetNumberOfRows(), 0) << what;
     before = filter->GetOutput()->GetMTime();
   };
   filter->SetTolerances({0.5});
   expectRun("tolerances");
-  filter->SetFrontalThreshold(40.0);
+  filter->SetFrontalThreshold(95.0);
   expectRun("threshold");
   filter->SetSampleSpacing(6.0);
   expectRun("spacing");
@@ -179,7 +183,7 @@ TEST(LevelOfDetailFilter, RunsAgainOnlyWhenSomethingChanged) {
 }
 
 TEST(LevelOfDetailFilter, WrongInputIsAnErrorWithoutATable) {
-  const Head head(8);
+  const Head head;
   const auto fault = [&](const std::function<void(vtkLevelOfDetailFilter*)>& change) {
     vtkNew<vtkLevelOfDetailFilter> filter;
     ErrorCounter errors(filter);

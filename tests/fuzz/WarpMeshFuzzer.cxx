@@ -1,17 +1,10 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "Require.h"
 #include "WarpMeshText.h"
 
 using namespace mien;
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-}  // namespace
 
 /// A refusal names a line and leaves the mesh alone; what is accepted is sound and comes back from writeWarpMesh.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
