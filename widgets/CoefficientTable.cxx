@@ -14,8 +14,9 @@ namespace mien {
 
 namespace {
 
-constexpr int coefficientCount = 12, rmsColumn = 12, pointsColumn = 13, allColumns = 14;
-constexpr int lineHeight = 26, leastWidth = 43;  // pixels
+constexpr int coefficientCount = 12, rmsColumn = 12, allColumns = 13;
+constexpr double smaller = 0.85;                 // of the application's letters: 13 columns in half a window
+constexpr int lineHeight = 26, leastWidth = 44;  // pixels
 constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
 constexpr const char* units[] = {"1/pupil unit", "1/pupil unit", "1/pupil unit", "no unit", "no unit", "pupil units"};
 
@@ -37,9 +38,9 @@ int sideOf(double difference, double deviation) {
 }
 
 QString sideText(int side) {
-  return side == 0  ? CoefficientTable::tr("within the range")
-         : side < 0 ? CoefficientTable::tr("below the range")
-                    : CoefficientTable::tr("above the range");
+  return side == 0  ? CoefficientTable::tr("within")
+         : side < 0 ? CoefficientTable::tr("below")
+                    : CoefficientTable::tr("above");
 }
 
 QString regionText(int region) {
@@ -59,6 +60,9 @@ CoefficientTable::CoefficientTable(QWidget* parent) : QTableWidget(DeformationTa
   setAlternatingRowColors(true);
   setFrameShape(QFrame::NoFrame);
   setItemDelegate(new RangeDelegate(this));
+  QFont small = font();
+  small.setPointSizeF(smaller * small.pointSizeF());
+  setFont(small);
   addHeaders();
   addCells();
   auto* copy = new QAction(tr("Copy as CSV"), this);
@@ -80,10 +84,7 @@ void CoefficientTable::addHeaders() {
   }
   auto* rms = new QTableWidgetItem(tr("RMS"));
   rms->setToolTip(tr("Root mean square of what the fit leaves in the region, in pupil units"));
-  auto* points = new QTableWidgetItem(tr("Points"));
-  points->setToolTip(tr("Points of the mesh that the region was fitted to"));
   setHorizontalHeaderItem(rmsColumn, rms);
-  setHorizontalHeaderItem(pointsColumn, points);
   for (int region = 1; region <= rowCount(); ++region) {
     auto* header = new QTableWidgetItem(QString::number(region));
     header->setToolTip(regionText(region));
@@ -101,8 +102,6 @@ void CoefficientTable::addCells() {
   for (int row = 0; row < rowCount(); ++row)
     for (int column = 0; column < allColumns; ++column) {
       auto* cell = new QTableWidgetItem;
-      const bool onScale = column < coefficientCount;
-      cell->setTextAlignment(onScale ? Qt::AlignHCenter | Qt::AlignTop : Qt::AlignRight | Qt::AlignVCenter);
       setItem(row, column, cell);
     }
 }
@@ -117,7 +116,6 @@ void CoefficientTable::show(const DeformationTable& table, const std::string& me
     fillFit(region, fit);
   }
   setColumnHidden(rmsColumn, !fit);
-  setColumnHidden(pointsColumn, !fit);
 }
 
 void CoefficientTable::fillCoefficient(int region, int coefficient) {
@@ -139,24 +137,24 @@ void CoefficientTable::fillCoefficient(int region, int coefficient) {
 }
 
 void CoefficientTable::fillFit(int region, const PresentTable::Fit* fit) {
-  item(region - 1, rmsColumn)->setText(fit ? QString::number(fit->rms[region - 1], 'f', 3) : QString());
-  item(region - 1, pointsColumn)->setText(fit ? QString::number(fit->points[region - 1]) : QString());
+  if (!fit) return;
+  item(region - 1, rmsColumn)->setText(QString::number(fit->rms[region - 1], 'f', 3));
+  item(region - 1, rmsColumn)->setToolTip(tr("RMS of %1 points, in pupil units").arg(fit->points[region - 1]));
 }
 
 QString CoefficientTable::detail() const {
   if (meanName_.empty() || currentRow() < 0) return tr("Choose a coefficient to read it with its range.");
   const int region = chosenRegion();
-  const QString name = tr("Region %1").arg(regionText(region));
+  const QString name = regionText(region);
   const int coefficient = currentColumn();
   if (coefficient >= coefficientCount) return name;
   const double value = valueOf(table_, region, coefficient), mean = valueOf(mean_, region, coefficient);
   const double deviation = deviationOf(mean_, region, coefficient);
   const auto number = [](double x) { return QString::number(x, 'g', 4); };
-  return tr("%1: %2 = %3 (%4); %5 %6 \u00b1 %7, %8 .. %9: ")
-             .arg(name, QString::fromStdString(coefficientName(coefficient)), number(value), units[coefficient % 6],
-                  QString::fromStdString(meanName_), number(mean), number(deviation), number(mean - deviation),
-                  number(mean + deviation)) +
-         sideText(sideOf(value - mean, deviation));
+  return tr("%1: %2 = %3 (%4), %5 %6 \u00b1 %7 of %8")
+      .arg(name, QString::fromStdString(coefficientName(coefficient)), number(value), units[coefficient % 6],
+           sideText(sideOf(value - mean, deviation)), number(mean), number(deviation),
+           QString::fromStdString(meanName_));
 }
 
 std::string CoefficientTable::text() const {

@@ -85,7 +85,7 @@ void FitBar::describeControls() {
   describe(use_, "deformationUse", tr("Use fit"),
            tr("The face goes back to A, and the table fitted from A to the present face bends it. Kept for this "
               "session; Save keeps it"));
-  describe(save_, "deformationSave", tr("Save fit..."),
+  describe(save_, "deformationSave", tr("Save..."),
            tr("Writes the table fitted from A to the present face as .csv, in pupil units"));
   status_->setObjectName("deformationStatus");
   status_->setProperty("faint", true);
@@ -105,11 +105,10 @@ void FitBar::showFit() {
   if (!fit->fault.isEmpty()) return status_->setText(fit->fault);
   if (!moves) return status_->setText(tr("The present face is A; move it to fit a table."));
   const auto worst = std::max_element(fit->rms.begin(), fit->rms.end());
-  status_->setText(tr("Fit: RMS %1, at most %2 in region %3; moves up to %4 pupil units")
+  status_->setText(tr("RMS %1, at most %2 (region %3) pupil units")
                        .arg(fit->totalRms, 0, 'f', 4)
                        .arg(*worst, 0, 'f', 4)
-                       .arg(worst - fit->rms.begin() + 1)
-                       .arg(fit->table.largestDisplacement, 0, 'f', 3));
+                       .arg(worst - fit->rms.begin() + 1));
   if (!fit->warning.isEmpty()) status_->setToolTip(fit->warning);
 }
 

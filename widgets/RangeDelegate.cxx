@@ -1,6 +1,8 @@
 #include "RangeDelegate.h"
 
 #include <QPainter>
+#include <QStyle>
+#include <QWidget>
 #include <algorithm>
 #include <cmath>
 
@@ -15,12 +17,20 @@ constexpr double margin = 4.0, rangeHeight = 3.0, tickWidth = 2.0, tickHeight = 
 
 }  // namespace
 
+/// The text is drawn here: the style's own margins would cut every second number.
 void RangeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
-  QStyledItemDelegate::paint(painter, option, index);
-  const QVariant place = index.data(placeRole);
-  if (!place.isValid()) return;
+  QStyleOptionViewItem blank = option;
+  initStyleOption(&blank, index);
+  const QString text = blank.text;
+  blank.text.clear();
+  blank.widget->style()->drawControl(QStyle::CE_ItemViewItem, &blank, painter, blank.widget);
   const Theme& theme = Theme::current();
   const QRectF cell(option.rect);
+  painter->setFont(blank.font);
+  painter->setPen(option.state & QStyle::State_Selected ? theme.accentText : theme.text);
+  const QVariant place = index.data(placeRole);
+  painter->drawText(cell.adjusted(0, 0, 0, place.isValid() ? -tickHeight - foot : 0), Qt::AlignCenter, text);
+  if (!place.isValid()) return;
   const double half = 0.5 * cell.width() - margin, middle = cell.center().x(),
                y = cell.bottom() - foot - 0.5 * tickHeight;
   const double share = std::clamp(place.toDouble() / shownDeviations, -1.0, 1.0);

@@ -29,7 +29,8 @@ namespace {
 constexpr int fineRows = 218, fineColumns = 160;  // borders of regions are then finer than a number's line
 constexpr const char* colorArray = "RegionColor";
 constexpr double lift = 8.0;  // mm by which a number stands before the skin, or its corners would sink into a cheek
-constexpr double paleness = 0.75;  // of regions that do not stand out
+constexpr double leastForwards = 0.3;  // z of the unit normal
+constexpr double paleness = 0.75;      // of regions that do not stand out
 
 // Of region 1 .. 16; neighbours differ, mirrored regions are alike where they do not touch. After Okabe and Ito,
 // lighter.
@@ -44,17 +45,25 @@ QColor mixed(const QColor& a, const QColor& b, double share) {
 /// The points of a skin that has been through vtkFacialRegionFilter.
 struct RegionPoints {
   vtkPolyData* skin;
-  vtkDataArray *regions, *coverage;
+  vtkDataArray *regions, *coverage, *normals;
 
   explicit RegionPoints(vtkPolyData* data)
       : skin(data),
         regions(data->GetPointData()->GetArray("Region")),
-        coverage(data->GetPointData()->GetArray("RegionCoverage")) {}
+        coverage(data->GetPointData()->GetArray("RegionCoverage")),
+        normals(data->GetPointData()->GetArray("Normals")) {}
 
   int region(vtkIdType point) const { return static_cast<int>(regions->GetComponent(point, 0)); }
   double share(vtkIdType point) const { return coverage->GetComponent(point, 0); }
 
-  /// For each region its point nearest to the middle of all its points; -1 where it has none.
+  /// How much a point looks forwards: cheeks have most of their points at the side of the head, where no number is
+  /// read.
+  double weight(vtkIdType point) const {
+    const double forwards = normals ? normals->GetComponent(point, 2) : 1.0;
+    return forwards < leastForwards ? 0.0 : share(point) * forwards * forwards * forwards;
+  }
+
+  /// For each region its point nearest to the middle of those that look forwards; -1 where it has none.
   std::array<vtkIdType, 16> middles() const {
     std::array<std::array<double, 4>, 16> sums{};
     std::array<double, 16> least;
@@ -64,14 +73,14 @@ struct RegionPoints {
     const auto visit = [this](const auto& at) {
       double place[3];
       for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
-        if (share(i) < 0.5) continue;
+        if (weight(i) == 0.0) continue;
         skin->GetPoint(i, place);
         at(i, region(i) - 1, place);
       }
     };
-    visit([&](vtkIdType, int index, const double* place) {
-      for (int axis = 0; axis < 3; ++axis) sums[index][axis] += place[axis];
-      ++sums[index][3];
+    visit([&](vtkIdType point, int index, const double* place) {
+      for (int axis = 0; axis < 3; ++axis) sums[index][axis] += weight(point) * place[axis];
+      sums[index][3] += weight(point);
     });
     visit([&](vtkIdType point, int index, const double* place) {
       double distance = 0.0;

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDragEnterEvent>
 #include <QFile>
 #include <QLabel>
 #include <QMimeData>
@@ -186,6 +187,9 @@ TEST_F(DeformationPanel, ADroppedTableBendsTheFace) {
   ASSERT_TRUE(QFile::copy(QString(MIEN_TEST_DIR) + "/../data/deformation/fear.csv", name));
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(name)});
+  QDragEnterEvent enter(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(find<QWidget>("deformationPanel"), &enter);
+  EXPECT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(find<QWidget>("deformationPanel"), &drop);
   EXPECT_EQ(chosen().table, name.toStdString());
