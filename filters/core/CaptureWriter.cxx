@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "ActionFit.h"
 #include "FAPWriter.h"
@@ -88,13 +87,16 @@ std::string headerOf(CaptureStyle style, const Columns& columns) {
   return "Timecode,BlendshapeCount" + names + angles + "\n";
 }
 
+std::string padded(long long number, std::size_t digits) {
+  const std::string text = std::to_string(number);
+  return std::string(digits - std::min(digits, text.size()), '0') + text;
+}
+
 std::string timeCodeOf(double time) {
   const auto thousandths = static_cast<long long>(std::llround(time * timeCodeRate * 1000.0));
   const long long frames = thousandths / 1000, seconds = frames / timeCodeRate;
-  char text[48];
-  std::snprintf(text, sizeof text, "%02lld:%02lld:%02lld:%02lld.%03lld", seconds / 3600, seconds / 60 % 60, seconds % 60,
-                frames % timeCodeRate, thousandths % 1000);
-  return text;
+  return padded(seconds / 3600, 2) + ":" + padded(seconds / 60 % 60, 2) + ":" + padded(seconds % 60, 2) + ":" +
+         padded(frames % timeCodeRate, 2) + "." + padded(thousandths % 1000, 3);
 }
 
 /// Four digits after the point are what capture apps write, and finer than any of them measures.
