@@ -139,7 +139,7 @@ class Animation {
     const bool onSheet = sheet_ && sheet_->wants(index);
     const bool picture = onSheet || (sink_ && sink_->needsPictures());
     const vtkSmartPointer<vtkImageData> image = picture ? scene_->render() : nullptr;
-    if (sink_) sink_->add(frames_[index], pipeline_.face()->GetOutput(), image);
+    if (sink_) sink_->add(frames_[index], pipeline_.grid(), image);
     if (onSheet) sheet_->add(image, frames_[index].caption);
   }
 

@@ -44,6 +44,12 @@ void FaceOptions::addAnimationOptions(CLI::App& command) {
   add("--time", time_, "Time in seconds")->needs(fap)->excludes(frame)->excludes(index);
   add("--expression", expression_, "Expressions with intensities 0 .. 1, such as joy:0.8 or joy:0.6,surprise:0.4");
   add("--set", set_, "FAP values, such as 53=200,54=200; they add to those of the file");
+  CLI::Option* fdt = add("--fdt", deformation_,
+                         "Facial deformation table, FILE.csv[:strength] or one that is compiled in: joy, sadness, anger, fear, "
+                         "disgust, surprise, smile");
+  command.add_flag("--fdt-hard", hardRegions_, "Every point follows the table's nearest region alone, as in the paper")
+      ->group("Animation")
+      ->needs(fdt);
   add("--fat", animationTable_, "What each FAP moves, TABLE.json [the table compiled in]");
 }
 
@@ -65,6 +71,7 @@ FaceState FaceOptions::state() const {
   fillFrame(state);
   fillExpressions(state);
   fillFAPValues(state);
+  fillDeformation(state);
   state.animationTable = animationTable_;
   return state;
 }
@@ -127,6 +134,14 @@ void FaceOptions::fillFAPValues(FaceState& state) const {
     if (!state.fapValues.emplace(fap, parseNumber("--set", item.substr(equals + 1))).second)
       throw ValueFailure("--set gives FAP " + std::to_string(fap) + " twice");
   }
+}
+
+void FaceOptions::fillDeformation(FaceState& state) const {
+  const size_t colon = deformation_.rfind(':'), slash = deformation_.find_last_of("/\\");
+  const bool withStrength = colon != std::string::npos && (slash == std::string::npos || colon > slash);
+  state.deformation.table = deformation_.substr(0, withStrength ? colon : std::string::npos);
+  if (withStrength) state.deformation.strength = parseNumber("--fdt", deformation_.substr(colon + 1));
+  state.deformation.smooth = !hardRegions_;
 }
 
 void FaceOptions::apply(FacePipeline& pipeline) const {

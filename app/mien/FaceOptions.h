@@ -44,10 +44,13 @@ class FaceOptions {
   void fillFrame(FaceState& state) const;
   void fillExpressions(FaceState& state) const;
   void fillFAPValues(FaceState& state) const;
+  void fillDeformation(FaceState& state) const;
 
   int defaultRows_ = FaceState().rows, defaultColumns_ = FaceState().columns;
   std::string defaultFace_, face_, scheme_, smoothing_, harmonics_, resolution_, derivativeStrength_, precision_;
   std::string fap_, frame_, index_, time_, expression_, set_, animationTable_;
+  std::string deformation_;
+  bool hardRegions_ = false;
   bool noRemainder_ = false, uniformRows_ = false;
 };
 

@@ -39,7 +39,7 @@ void run(const Options& options) {
   pipeline.setState(state);
   updateOrThrow(pipeline);
   printRemarks(pipeline);
-  vtkStructuredGrid* grid = pipeline.face()->GetOutput();
+  vtkStructuredGrid* grid = pipeline.grid();
   if (isTable(options.output))
     OutputFile::write(options.output, faceTable(RowLayout(state.rows, state.uniformRows), grid));
   else

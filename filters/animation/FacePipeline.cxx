@@ -9,11 +9,14 @@
 #include "vtkBoundaryCurveReader.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
+#include "vtkFDTDeformationFilter.h"
+#include "vtkFDTReader.h"
 #include "vtkGeometryFilter.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPassThrough.h"
 #include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
 
 #include <algorithm>
 #include <sstream>
@@ -50,6 +53,9 @@ struct FacePipeline::Internals
   vtkNew<vtkFAPAnimationFilter> animation;
   vtkNew<vtkPassThrough> curves;
   vtkNew<vtkPDEFaceFilter> face;
+  vtkNew<vtkFDTReader> table;
+  vtkNew<vtkFDTDeformationFilter> deformation;
+  vtkNew<vtkPassThrough> skin;
   vtkNew<vtkGeometryFilter> surface;
   PipelineErrors errors;
 
@@ -58,8 +64,12 @@ struct FacePipeline::Internals
     animation->SetInputConnection(reader->GetOutputPort());
     curves->SetInputConnection(animation->GetOutputPort());
     face->SetInputConnection(curves->GetOutputPort());
-    surface->SetInputConnection(face->GetOutputPort());
-    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{ reader, frames, animation, curves, face, surface })
+    deformation->SetInputConnection(face->GetOutputPort());
+    deformation->SetTableConnection(table->GetOutputPort());
+    skin->SetInputConnection(face->GetOutputPort());
+    surface->SetInputConnection(skin->GetOutputPort());
+    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{ reader, frames, animation, curves, face, table,
+           deformation, skin, surface })
       errors.observe(algorithm);
   }
 
@@ -130,6 +140,17 @@ struct FacePipeline::Internals
     return text.str();
   }
 
+  /// The table bends the surface between the face and what shows it.
+  void setDeformation()
+  {
+    const FaceDeformation& chosen = state.deformation;
+    const bool none = chosen.table.empty();
+    table->SetFileName(none ? nullptr : chosen.table.c_str());
+    deformation->SetStrength(chosen.strength);
+    deformation->SetSmooth(chosen.smooth);
+    skin->SetInputConnection((none ? static_cast<vtkAlgorithm*>(face) : deformation)->GetOutputPort());
+  }
+
   void setGrid()
   {
     face->SetResolution(state.rows, state.columns);
@@ -156,6 +177,7 @@ struct FacePipeline::Internals
     {
       reader->Modified();
       frames->Modified();
+      table->Modified();
     }
     return fault;
   }
@@ -203,6 +225,7 @@ void FacePipeline::setState(const FaceState& state)
   this->Impl->setMotion();
   this->Impl->face->SetParameters(state.surface);
   this->Impl->setGrid();
+  this->Impl->setDeformation();
 }
 
 const FaceState& FacePipeline::state() const
@@ -233,6 +256,11 @@ vtkAlgorithm* FacePipeline::curves() const
 vtkPDEFaceFilter* FacePipeline::face() const
 {
   return this->Impl->face;
+}
+
+vtkStructuredGrid* FacePipeline::grid() const
+{
+  return vtkStructuredGrid::SafeDownCast(this->Impl->skin->GetOutputDataObject(0));
 }
 
 vtkAlgorithm* FacePipeline::surface() const

@@ -12,10 +12,11 @@ class vtkBoundaryCurveReader;
 class vtkFAPAnimationFilter;
 class vtkFAPReader;
 class vtkPDEFaceFilter;
+class vtkStructuredGrid;
 
 /// The VTK pipeline that shows a FaceState, for every program:
-///   vtkBoundaryCurveReader --> vtkFAPAnimationFilter --> vtkPDEFaceFilter --> vtkGeometryFilter
-///   vtkFAPReader (when there is a file) --^
+///   vtkBoundaryCurveReader --> vtkFAPAnimationFilter --> vtkPDEFaceFilter --> (vtkFDTDeformationFilter) --> vtkGeometryFilter
+///   vtkFAPReader (when there is a file) --^        vtkFDTReader (when there is a table) --^
 ///
 /// Setting a state touches only the filters whose properties differ, so that the next update does no more than it must.
 /// Errors are kept, not printed: update() returns them.
@@ -36,7 +37,8 @@ public:
   vtkFAPReader* frames() const;              ///< the animation file's; empty until a state with a file was updated
   vtkFAPAnimationFilter* animation() const;
   vtkAlgorithm* curves() const;    ///< vtkPolyData, the boundary curves as animated
-  vtkPDEFaceFilter* face() const;  ///< vtkStructuredGrid with the mouth slit blanked
+  vtkPDEFaceFilter* face() const;  ///< vtkStructuredGrid with the mouth slit blanked, before any table
+  vtkStructuredGrid* grid() const; ///< the same as the table leaves it; brought up to date by update()
   vtkAlgorithm* surface() const;   ///< vtkPolyData for mappers, locators and writers: without the slit; wound inwards as the grid
 
   /// Reads the curves, and what the animation file holds; what is wrong with the files, or nothing.

@@ -10,7 +10,6 @@ namespace mien {
 namespace {
 
 constexpr double unreachable = std::numeric_limits<double>::infinity();
-using Vertices = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// Neighbours of vertex i are targets[starts[i]] .. targets[starts[i + 1] - 1].
 struct Neighbours {
@@ -35,7 +34,7 @@ double fade(double t) {
 }
 
 /// Dijkstra's shortest paths along edges, up to a length.
-std::vector<double> distancesFrom(const std::vector<int>& seeds, double longest, const Vertices& vertices,
+std::vector<double> distancesFrom(const std::vector<int>& seeds, double longest, const MeshVertices& vertices,
                                   const Neighbours& neighbours) {
   using Entry = std::pair<double, int>;
   std::vector<double> distances(vertices.rows(), unreachable);
@@ -64,7 +63,7 @@ MeshEdges edgesOf(const TriangleMesh& mesh) {
   return edges;
 }
 
-std::vector<double> slitSides(const Vertices& vertices, const MeshEdges& edges, const MeshSlit& slit) {
+std::vector<double> slitSides(const MeshVertices& vertices, const MeshEdges& edges, const MeshSlit& slit) {
   const Neighbours neighbours(vertices.rows(), edges);
   const std::vector<double> toUpper = distancesFrom(slit.upper, slit.reach + slit.halfWidth, vertices, neighbours);
   const std::vector<double> toLower = distancesFrom(slit.lower, slit.reach + slit.halfWidth, vertices, neighbours);
@@ -81,7 +80,7 @@ std::vector<double> slitSides(const Vertices& vertices, const MeshEdges& edges, 
   return sides;
 }
 
-std::vector<FaceSide> faceSides(const Vertices& vertices, const MeshEdges& edges, const std::array<int, 68>& landmarks,
+std::vector<FaceSide> faceSides(const MeshVertices& vertices, const MeshEdges& edges, const LandmarkVertices& landmarks,
                                 const FacialRegions& regions, double unit) {
   const auto sidesOf = [&](const std::vector<int>& upper, const std::vector<int>& lower, int begin, int end,
                            double reach) {

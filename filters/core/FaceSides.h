@@ -9,7 +9,9 @@
 
 namespace mien {
 
+using MeshVertices = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using MeshEdges = std::vector<std::array<int, 2>>;
+using LandmarkVertices = std::array<int, 68>;  ///< vertex of each of the 68 landmarks of Multi-PIE
 
 /// The edges of a mesh's triangles; those between two triangles may come twice.
 MeshEdges edgesOf(const TriangleMesh& mesh);
@@ -26,13 +28,13 @@ struct MeshSlit {
 /// and to its upper contour, divided by the half width and kept within -1 .. 1, fading with the distance to the nearer
 /// one. It jumps across the slit only and is 0 at the corners, on the skin beside them, and where no path leads to both
 /// contours. Edges are pairs of vertex indices. All indices valid.
-std::vector<double> slitSides(const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& vertices,
+std::vector<double> slitSides(const MeshVertices& vertices,
                               const MeshEdges& edges, const MeshSlit& slit);
 
 /// Sides of lips and lids of a mesh with the 68 landmarks as vertex indices.
 /// @param unit  length of one pupil unit
-std::vector<FaceSide> faceSides(const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>& vertices,
-                                const MeshEdges& edges, const std::array<int, 68>& landmarks,
+std::vector<FaceSide> faceSides(const MeshVertices& vertices,
+                                const MeshEdges& edges, const LandmarkVertices& landmarks,
                                 const FacialRegions& regions, double unit);
 
 /// The side of a marker by the landmark it is: its number of the 68, no side for any other.

@@ -16,7 +16,9 @@ TableDeformation::TableDeformation(const std::vector<DeformationPoint>& points, 
     const Eigen::Vector3d p = pupils.apply(point.position);
     Place place{p.head<2>(), regions.outlineWeight(p.head<2>()) * regions.facingWeight(p.z(), point.normalZ),
                 static_cast<std::uint32_t>(shares_.size()), 0};
-    if (place.coverage > 0.0 && smooth) {
+    if (place.coverage > 0.0 && point.region) {
+      shares_.push_back({1.0, point.region - 1});
+    } else if (place.coverage > 0.0 && smooth) {
       const FacialRegions::Weights weights = regions.weights(place.point, point.side);
       for (int i = 0; i < FacialRegions::count; ++i)
         if (weights[i] > 0.0) shares_.push_back({weights[i], i});

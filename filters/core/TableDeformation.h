@@ -8,11 +8,12 @@
 
 namespace mien {
 
-/// What a point needs to know of the region map; normals and sides are optional (1 and none).
+/// What a point needs to know of the region map; normals, sides and regions are optional (1, none and 0: by place).
 struct DeformationPoint {
   Eigen::Vector3d position;  ///< in the face's own unit
   double normalZ = 1.0;      ///< of the unit normal
   FaceSide side;
+  int region = 0;  ///< 1 .. 16: given, whatever the place
 };
 
 /// Moves the points of one face by tables; the weights of the regions are computed once.

@@ -1,5 +1,8 @@
 #include "FDTData.h"
 
+#include <cmath>
+#include <sstream>
+
 #include "CommaText.h"
 #include "NumberText.h"
 #include "TableText.h"
@@ -7,9 +10,6 @@
 #include "vtkNew.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
-
-#include <cmath>
-#include <sstream>
 
 namespace mien {
 
@@ -40,9 +40,12 @@ std::string readFDT(vtkTable* data, DeformationTable& table) {
     for (vtkIdType column = 0; column < data->GetNumberOfColumns(); ++column) {
       const vtkVariant cell = data->GetValue(row, column);
       if (column) text += ",";
-      if (!cell.IsNumeric()) text += cell.ToString();
-      else if (std::isfinite(cell.ToDouble())) appendNumber(text, cell.ToDouble());
-      else text += "nan";
+      if (!cell.IsNumeric())
+        text += cell.ToString();
+      else if (std::isfinite(cell.ToDouble()))
+        appendNumber(text, cell.ToDouble());
+      else
+        text += "nan";
     }
   }
   const std::string fault = parseTable(text, table);

@@ -1,8 +1,11 @@
 #include "vtkFDTDeformationFilter.h"
 
-#include "DefaultRegions.h"
+#include <cmath>
+#include <optional>
+
 #include "FDTData.h"
-#include "TableDeformation.h"
+#include "FaceFrame.h"
+#include "MeshEdgeData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -15,90 +18,94 @@
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
 
-#include <array>
-#include <cmath>
-#include <optional>
-
 vtkStandardNewMacro(vtkFDTDeformationFilter);
 
 namespace {
 
-constexpr vtkIdType pointsPerTask = 4096;
+constexpr vtkIdType pointsPerSlab = 1 << 18, pointsPerTask = 4096;
 
-/// An array by its name, if it is there with these components.
-vtkDataArray* pointArray(vtkPointSet* data, const char* name, int components) {
-  vtkDataArray* array = data->GetPointData()->GetArray(name);
-  return array && array->GetNumberOfComponents() == components ? array : nullptr;
+bool sameFrame(const mien::FaceFrameOptions& a, const mien::FaceFrameOptions& b) {
+  return a.leftPupil == b.leftPupil && a.rightPupil == b.rightPupil && a.leftPupilName == b.leftPupilName &&
+         a.rightPupilName == b.rightPupilName && a.landmarkFile == b.landmarkFile;
 }
 
-/// @return nothing, or one sentence that names the first point that is not finite
-std::string readPoints(vtkPointSet* data, std::vector<mien::DeformationPoint>& points) {
-  vtkDataArray* normals = pointArray(data, "Normals", 3);
-  vtkDataArray* sides = pointArray(data, "LipSide", 1);
-  points.resize(data->GetNumberOfPoints());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    mien::DeformationPoint& point = points[i];
-    data->GetPoint(i, point.position.data());
-    if (normals) point.normalZ = normals->GetComponent(i, 2);
-    if (sides) point.side.lips = sides->GetComponent(i, 0);
-    if (!point.position.allFinite() || !std::isfinite(point.normalZ) || !std::isfinite(point.side.lips))
-      return "point " + std::to_string(i) + " has a position, normal or lip side that is not finite; repair the mesh";
+/// Turns the input's normals by as much as those of the polygons around each point turn.
+void turnNormals(vtkPointSet* from, vtkPointSet* to) {
+  vtkDataArray* normals = from->GetPointData()->GetArray("Normals");
+  if (!normals || normals->GetNumberOfComponents() != 3) return;
+  const std::vector<Eigen::Vector3d> before = mien::polygonNormals(from), after = mien::polygonNormals(to);
+  to->GetPointData()->RemoveArray("Normals");
+  if (before.empty() || after.empty()) return;
+  vtkSmartPointer<vtkDataArray> turned;
+  turned.TakeReference(normals->NewInstance());
+  turned->DeepCopy(normals);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    Eigen::Vector3d normal;
+    normals->GetTuple(i, normal.data());
+    // Polygons may be wound inwards, as those of the PDE face are.
+    const double sign = before[i].dot(normal) < 0.0 ? -1.0 : 1.0;
+    turned->SetTuple(i, (normal + sign * (after[i] - before[i])).stableNormalized().eval().data());
   }
-  return {};
+  to->GetPointData()->SetNormals(turned);
 }
 
 }  // namespace
 
 struct vtkFDTDeformationFilter::Internals {
+  mien::FacialRegions regions;
+  mien::FaceFrameOptions options;
+  std::string regionFile;
   std::optional<mien::TableDeformation> weights;
-  vtkMTimeType inputTime = 0;
+  Eigen::Matrix3d toSpace;
   vtkPointSet* input = nullptr;
-  std::array<double, 6> pupils{};
+  vtkMTimeType inputTime = 0;
   bool smooth = false;
 
+  bool holdsFor(vtkPointSet* data, const mien::FaceFrameOptions& now, const std::string& file, bool blend) const {
+    return weights && data == input && data->GetMTime() == inputTime && sameFrame(now, options) && file == regionFile &&
+           blend == smooth;
+  }
+
   /// Computes the weights unless those of before still hold. @return nothing, or what is wrong
-  std::string prepare(vtkPointSet* data, const double* left, const double* right, bool blend) {
-    const std::array<double, 6> now = {left[0], left[1], left[2], right[0], right[1], right[2]};
-    if (weights && data == input && data->GetMTime() == inputTime && now == pupils && blend == smooth) return {};
+  std::string prepare(vtkPointSet* data, const mien::FaceFrameOptions& now, const std::string& file, bool blend) {
+    if (holdsFor(data, now, file, blend)) return {};
     weights.reset();
-    mien::PupilNormalisation normalisation;
-    std::string fault = normalisation.set(Eigen::Map<const Eigen::Vector3d>(left), Eigen::Map<const Eigen::Vector3d>(right));
-    std::vector<mien::DeformationPoint> points;
-    if (fault.empty()) fault = readPoints(data, points);
+    mien::FaceFrame frame;
+    std::string fault = mien::readRegions(file, regions);
+    if (fault.empty()) fault = mien::readFaceFrame(data, now, regions, frame);
     if (!fault.empty()) return fault;
-    weights.emplace(points, normalisation, mien::defaultRegions(), blend);
+    weights.emplace(frame.points, frame.pupils, regions, blend);
+    toSpace = frame.turned.rotation;
     input = data;
     inputTime = data->GetMTime();
-    pupils = now;
+    options = now;
+    regionFile = file;
     smooth = blend;
     return {};
   }
 
-  void move(vtkPointSet* from, vtkPointSet* to, const mien::DeformationTable& table, double strength) const {
+  /// False when aborted.
+  bool move(vtkPointSet* from, const mien::DeformationTable& table, double strength, vtkAlgorithm* self,
+            vtkPoints* points, vtkDoubleArray* displacement) const {
+    const double limit = mien::fittedDisplacement(table, regions);
     const vtkIdType count = from->GetNumberOfPoints();
-    vtkNew<vtkDoubleArray> displacement;
-    displacement->SetName("Displacement");
-    displacement->SetNumberOfComponents(3);
-    displacement->SetNumberOfTuples(count);
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->SetNumberOfPoints(count);
-    const double limit = mien::fittedDisplacement(table, mien::defaultRegions());
-    vtkSMPTools::For(0, count, pointsPerTask, [&](vtkIdType begin, vtkIdType end) {
-      std::vector<Eigen::Vector2d> moves(end - begin);
-      weights->displacements(table, limit, strength, begin, end, moves.data());
-      double place[3];
-      for (vtkIdType i = begin; i < end; ++i) {
-        const Eigen::Vector2d& d = moves[i - begin];
-        from->GetPoint(i, place);
-        points->SetPoint(i, place[0] + d.x(), place[1] + d.y(), place[2]);
-        displacement->SetTuple3(i, d.x(), d.y(), 0.0);
-      }
-    });
-    to->ShallowCopy(from);
-    to->SetPoints(points);
-    to->GetPointData()->RemoveArray("Normals");
-    to->GetPointData()->AddArray(displacement);
+    for (vtkIdType slab = 0; slab < count; slab += pointsPerSlab) {
+      if (self->GetAbortExecute()) return false;
+      const vtkIdType slabEnd = std::min(count, slab + pointsPerSlab);
+      vtkSMPTools::For(slab, slabEnd, pointsPerTask, [&](vtkIdType begin, vtkIdType end) {
+        std::vector<Eigen::Vector2d> moves(end - begin);
+        weights->displacements(table, limit, strength, begin, end, moves.data());
+        Eigen::Vector3d place;
+        for (vtkIdType i = begin; i < end; ++i) {
+          const Eigen::Vector3d d = toSpace.leftCols<2>() * moves[i - begin];
+          from->GetPoint(i, place.data());
+          displacement->SetTypedTuple(i, d.data());
+          points->SetPoint(i, (place + d).eval().data());
+        }
+      });
+      self->UpdateProgress(0.5 + 0.5 * slabEnd / count);
+    }
+    return !self->GetAbortExecute();
   }
 };
 
@@ -114,27 +121,41 @@ int vtkFDTDeformationFilter::FillInputPortInformation(int port, vtkInformation* 
   return 1;
 }
 
-int vtkFDTDeformationFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkFDTDeformationFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                         vtkInformationVector* outputs) {
+  vtkPointSet *input = vtkPointSet::GetData(inputs[0]), *output = vtkPointSet::GetData(outputs);
   mien::DeformationTable table, other;
   vtkTable* second = vtkTable::GetData(inputs[2]);
   std::string fault = mien::readFDT(vtkTable::GetData(inputs[1]), table);
-  if (fault.empty() && second) fault = mien::readFDT(second, other);
-  vtkPointSet* input = vtkPointSet::GetData(inputs[0]);
-  if (fault.empty()) fault = this->Impl->prepare(input, this->LeftPupil, this->RightPupil, this->Smooth);
+  if (fault.empty() && second) fault = "second " + mien::readFDT(second, other);
+  if (fault == "second ") fault.clear();
   if (fault.empty() && !std::isfinite(this->Strength)) fault = "the strength is not finite; give 0 to 1.5";
+  if (fault.empty() && input->GetNumberOfPoints() > 0)
+    fault = this->Impl->prepare(input, this->GetFrameOptions(), this->GetRegionFileName(), this->Smooth);
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
+  if (input->GetNumberOfPoints() == 0) return 1;
   if (second) table = table.blended(other, this->Interpolation);
-  this->Impl->move(input, vtkPointSet::GetData(outputs), table, this->Strength);
+  vtkNew<vtkDoubleArray> displacement;
+  displacement->SetName("Displacement");
+  displacement->SetNumberOfComponents(3);
+  displacement->SetNumberOfTuples(input->GetNumberOfPoints());
+  vtkNew<vtkPoints> points;
+  points->SetDataType(input->GetPoints()->GetDataType());
+  points->SetNumberOfPoints(input->GetNumberOfPoints());
+  if (!this->Impl->move(input, table, this->Strength, this, points, displacement)) return 1;
+  output->ShallowCopy(input);
+  output->SetPoints(points);
+  output->GetPointData()->AddArray(displacement);
+  turnNormals(input, output);
+  KeepWantedPart(outputs->GetInformationObject(0));
   return 1;
 }
 
 void vtkFDTDeformationFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "LeftPupil: " << this->LeftPupil[0] << " " << this->LeftPupil[1] << " " << this->LeftPupil[2] << "\n";
-  os << indent << "RightPupil: " << this->RightPupil[0] << " " << this->RightPupil[1] << " " << this->RightPupil[2] << "\n";
   os << indent << "Strength: " << this->Strength << "\n";
   os << indent << "Interpolation: " << this->Interpolation << "\n";
   os << indent << "Smooth: " << (this->Smooth ? "on" : "off") << "\n";

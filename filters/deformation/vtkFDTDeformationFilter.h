@@ -2,32 +2,30 @@
  * @class vtkFDTDeformationFilter
  * @brief moves the points of a face by a facial deformation table
  *
- * Inputs: port 0 points or a mesh (any vtkPointSet; mm, y up, z forward) with, optionally, the point arrays `Normals` (3 components;
- * without them nothing counts as facing backwards) and `LipSide` (1 component: 1 upper lip, -1 lower lip, between 0 and these around
- * the mouth; without it the lips are told apart by place alone and cannot part); port 1 the table, 16 rows, columns
- * `region`, `a1` .. `b6` (FDTData.h); port 2, optional, a second table to interpolate to.
- * Output: a copy of the input with moved points and the point array `Displacement` (mm, 3 components); normals are left out.
+ * Inputs: port 0 points or a mesh of any size with pupils (vtkPupilAlgorithm; mm, y up, z forward); regions, sides of
+ * lips and lids and coverage are those of vtkFacialRegionFilter. Port 1 the table, 16 rows, columns `region`, `a1` ..
+ * `b6` (FDTData.h); port 2, optional, a second table to interpolate to. Output: a copy of the input with moved points
+ * (of the input's precision) and the point array `Displacement` (3 components, the input's unit). `Normals` of the
+ * input turn as the polygons around each point do.
  *
- * Equation: x' = a1 x^2 + a2 xy + a3 y^2 + a4 x + a5 y + a6 and y' alike per region, in pupil units [Obaid et al. 2009, eq. 1];
- * blending and limits are described in TableDeformation.h. z is carried along unchanged. The weights are kept while the input
- * and the settings that decide them stay.
- * Errors: pupils that were not set or coincide, a table that is none, points or arrays that are not finite.
- * @sa vtkFDTReader
+ * Equation: x' = a1 x^2 + a2 xy + a3 y^2 + a4 x + a5 y + a6 and y' alike per region, in pupil units [Obaid et al. 2009,
+ * eq. 1]; blending and limits are described in TableDeformation.h. z is carried along unchanged in the head's frame.
+ * The weights are kept while the input and the settings that decide them stay: tables, strength and interpolation may
+ * change at no cost. Errors: those of vtkPupilAlgorithm, a table that is none, points or arrays that are not finite.
+ * @sa vtkFDTReader vtkFDTFitFilter vtkFacialRegionFilter
  */
 #ifndef vtkFDTDeformationFilter_h
 #define vtkFDTDeformationFilter_h
 
-#include "MienDeformationModule.h"
-#include "vtkPointSetAlgorithm.h"
-
 #include <memory>
-#include <string>
-#include <vector>
 
-class MIENDEFORMATION_EXPORT vtkFDTDeformationFilter : public vtkPointSetAlgorithm {
+#include "MienDeformationModule.h"
+#include "vtkPupilAlgorithm.h"
+
+class MIENDEFORMATION_EXPORT vtkFDTDeformationFilter : public vtkPupilAlgorithm {
  public:
   static vtkFDTDeformationFilter* New();
-  vtkTypeMacro(vtkFDTDeformationFilter, vtkPointSetAlgorithm);
+  vtkTypeMacro(vtkFDTDeformationFilter, vtkPupilAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -36,14 +34,6 @@ class MIENDEFORMATION_EXPORT vtkFDTDeformationFilter : public vtkPointSetAlgorit
   void SetTableData(vtkDataObject* table) { this->SetInputData(1, table); }
   void SetOtherTableConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(2, output); }
   void SetOtherTableData(vtkDataObject* table) { this->SetInputData(2, table); }
-  ///@}
-
-  ///@{
-  /** The pupils in the input's unit, x y z, left being the subject's. Default: none; both must be set. */
-  vtkSetVector3Macro(LeftPupil, double);
-  vtkGetVector3Macro(LeftPupil, double);
-  vtkSetVector3Macro(RightPupil, double);
-  vtkGetVector3Macro(RightPupil, double);
   ///@}
 
   ///@{
@@ -59,7 +49,8 @@ class MIENDEFORMATION_EXPORT vtkFDTDeformationFilter : public vtkPointSetAlgorit
   ///@}
 
   ///@{
-  /** Whether neighbouring regions are blended (default), or every point follows the nearest centre alone, as in the paper. */
+  /** Whether neighbouring regions are blended (default), or every point follows the nearest centre alone, as in the
+   * paper. */
   vtkSetMacro(Smooth, bool);
   vtkGetMacro(Smooth, bool);
   vtkBooleanMacro(Smooth, bool);
@@ -77,8 +68,6 @@ class MIENDEFORMATION_EXPORT vtkFDTDeformationFilter : public vtkPointSetAlgorit
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
-  double LeftPupil[3] = {0.0, 0.0, 0.0};
-  double RightPupil[3] = {0.0, 0.0, 0.0};
   double Strength = 1.0;
   double Interpolation = 0.0;
   bool Smooth = true;

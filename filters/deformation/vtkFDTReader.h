@@ -1,6 +1,6 @@
 /**
  * @class vtkFDTReader
- * @brief reads a facial deformation table from a CSV file
+ * @brief reads a facial deformation table from a CSV file, or one that is compiled in
  *
  * Output: vtkTable of 16 rows, columns as described in FDTData.h (pupil units). The format is described in TableText.h.
  * Errors: `FILE:LINE: what is wrong`; the output is then empty.
@@ -19,7 +19,7 @@ class MIENDEFORMATION_EXPORT vtkFDTReader : public vtkTableAlgorithm {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The .csv file. Default: none. */
+  /** The .csv file, or the name of a table that is compiled in (NamedTables.h: joy, smile ..). Default: none. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}

@@ -1,12 +1,12 @@
 #include "vtkFDTWriter.h"
 
+#include <vtksys/FStream.hxx>
+
 #include "FDTData.h"
 #include "TableText.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
-
-#include <vtksys/FStream.hxx>
 
 vtkStandardNewMacro(vtkFDTWriter);
 
@@ -29,7 +29,8 @@ void vtkFDTWriter::WriteData() {
   }
   vtksys::ofstream file(name.c_str(), std::ios::binary);
   file << mien::writeTable(table, this->Comment) << std::flush;
-  if (!file) vtkErrorMacro(<< name << ": it cannot be written; give a file in a folder that exists and may be written to");
+  if (!file)
+    vtkErrorMacro(<< name << ": it cannot be written; give a file in a folder that exists and may be written to");
 }
 
 void vtkFDTWriter::PrintSelf(ostream& os, vtkIndent indent) {

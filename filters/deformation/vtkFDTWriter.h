@@ -9,10 +9,10 @@
 #ifndef vtkFDTWriter_h
 #define vtkFDTWriter_h
 
+#include <string>
+
 #include "MienDeformationModule.h"
 #include "vtkWriter.h"
-
-#include <string>
 
 class MIENDEFORMATION_EXPORT vtkFDTWriter : public vtkWriter {
  public:

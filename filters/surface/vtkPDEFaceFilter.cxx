@@ -7,6 +7,8 @@
 #include "SurfaceGrid.h"
 #include "SurfaceMesh.h"
 
+#include "vtkAbstractArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -120,7 +122,12 @@ int vtkPDEFaceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   mien::FaceCurves face;
   if (!this->ReadInput(inputs, face))
     return 0;
-  return this->MakeSurface(face, this->GetOptions(), outputs) ? 1 : 0;
+  if (!this->MakeSurface(face, this->GetOptions(), outputs))
+    return 0;
+  for (const char* name : { "Pupils", "HeadRotation" })
+    if (vtkAbstractArray* array = vtkPolyData::GetData(inputs[0])->GetFieldData()->GetAbstractArray(name))
+      this->GetOutput()->GetFieldData()->AddArray(array);
+  return 1;
 }
 
 bool vtkPDEFaceFilter::MakeSurface(

@@ -6,7 +6,7 @@
  * Output: vtkStructuredGrid of (NumberOfColumns + 1) x NumberOfRows points, v fastest, the last column
  * repeating the first. Point arrays `Normals` (unit, outwards, from analytic derivatives),
  * `TextureCoordinates` (v / 2 pi, 1 - u over the whole face), optionally `Su`, `Sv` (mm) and the curvatures; cell array
- * `PatchId` (0 .. 8). Cells between C22 and C22' are blanked between the mouth corners only.
+ * `PatchId` (0 .. 8); field arrays `Pupils` and `HeadRotation` of the curves where they have them. Cells between C22 and C22' are blanked between the mouth corners only.
  * VTK winds these cells inwards. Give the grid to mappers, writers and locators through vtkGeometryFilter.
  *
  * Equation: (d2/du2 + a^2 d2/dv2)^m S = 0 per patch, Fourier modes 0 .. N and one remainder

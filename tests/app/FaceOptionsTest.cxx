@@ -38,6 +38,10 @@ TEST(FaceOptions, WrongValuesEndWithTwoAndSayWhatIsAllowed) {
   expectRefused({"--expression", "joy:2"}, 2, "0 .. 1");
   expectRefused({"--expression", "joy,joy:0.5"}, 2, "twice");
   expectRefused({"--set", "53"}, 2, "53=200");
+  expectRefused({"--fdt", "joy:3"}, 2, "-2 .. 2");
+  expectRefused({"--fdt", "joy:x"}, 2, "--fdt");
+  expectRefused({"--fdt", "smug"}, 1, "anger, disgust");
+  expectRefused({"--fdt", "no/such.csv"}, 1, "no/such.csv: it cannot be opened");
   expectRefused({"--set", "99=1"}, 2, "3 .. 68");
   expectRefused({"--set", "53=1,53=2"}, 2, "twice");
   expectRefused({"--frame", "3"}, 2, "--fap");

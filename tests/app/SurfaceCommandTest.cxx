@@ -85,7 +85,7 @@ TEST(SurfaceCommand, TableHoldsWhatTheFilterComputes) {
   mien::FacePipeline pipeline;
   pipeline.setState(state);
   ASSERT_EQ(pipeline.update(), "");
-  vtkStructuredGrid* grid = pipeline.face()->GetOutput();
+  vtkStructuredGrid* grid = pipeline.grid();
   const int lips = mien::RowLayout(83, false).upperLipRow();
   const auto rows = readTable(file);
   ASSERT_EQ(rows.size(), (83u + 7u) * 24u);  // seven seams beside the mouth are rows of two patches
@@ -132,7 +132,7 @@ TEST(SurfaceCommand, TableMeetsTheBoundaryCurves) {
 TEST(SurfaceCommand, PolygonFormatsAreWoundOutwardsWithoutTheSlit) {
   mien::FacePipeline pipeline;
   ASSERT_EQ(pipeline.update(), "");
-  const vtkIdType cells = visibleCells(pipeline.face()->GetOutput());
+  const vtkIdType cells = visibleCells(pipeline.grid());
   ASSERT_LT(cells, 55 * 40);
   expectPolygons<vtkXMLPolyDataReader>("vtp", cells);
   expectPolygons<vtkPLYReader>("ply", cells);

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace {
@@ -139,6 +141,55 @@ TEST(FacePipeline, AnExpressionMovesTheFaceInProportion) {
   EXPECT_GT(tenth, 0.02 * full);
   EXPECT_LT(tenth, 0.5 * full);
   EXPECT_EQ(largestDisplacement(pipeline, FaceState()), 0.0);
+}
+
+TEST(FacePipeline, ATableBendsTheFaceInProportionAndAnUnknownOneIsNamed) {
+  FacePipeline pipeline;
+  FaceState state;
+  state.doublePrecision = true;
+  state.deformation.table = "joy";
+  const auto moved = [&](double strength) {
+    state.deformation.strength = strength;
+    pipeline.setState(state);
+    EXPECT_EQ(pipeline.update(), "");
+    double corner[3];
+    pipeline.grid()->GetPoint(42 * 41 + 17, corner);  // beside the mouth
+    return corner[1] - pipeline.face()->GetOutput()->GetPoint(42 * 41 + 17)[1];
+  };
+  const double full = moved(1.0);
+  EXPECT_GT(full, 3.0);
+  EXPECT_NEAR(moved(0.5), 0.5 * full, 1e-9);
+  state.deformation.table = "smug";
+  pipeline.setState(state);
+  EXPECT_NE(pipeline.update().find("smug: it cannot be opened"), std::string::npos);
+  state.deformation.table.clear();
+  pipeline.setState(state);
+  EXPECT_EQ(pipeline.update(), "");
+  EXPECT_EQ(pipeline.grid()->GetPoint(42 * 41 + 17)[1], pipeline.face()->GetOutput()->GetPoint(42 * 41 + 17)[1]);
+}
+
+TEST(FacePipeline, ATableBendsATurnedHeadInItsOwnFrame) {
+  const auto displacement = [](double yaw) {
+    FacePipeline pipeline;
+    FaceState state;
+    state.doublePrecision = true;
+    state.fapValues[49] = yaw;
+    state.deformation.table = "surprise";
+    pipeline.setState(state);
+    EXPECT_EQ(pipeline.update(), "");
+    vtkDataArray* moves = pipeline.grid()->GetPointData()->GetArray("Displacement");
+    std::vector<double> lengths;
+    for (vtkIdType i = 0; moves && i < moves->GetNumberOfTuples(); ++i) {
+      const double* d = moves->GetTuple3(i);
+      lengths.push_back(std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+    }
+    return lengths;
+  };
+  const std::vector<double> straight = displacement(0.0), turned = displacement(60000.0);
+  ASSERT_EQ(straight.size(), turned.size());
+  ASSERT_FALSE(straight.empty());
+  EXPECT_GT(*std::max_element(straight.begin(), straight.end()), 10.0);
+  for (std::size_t i = 0; i < straight.size(); ++i) ASSERT_NEAR(straight[i], turned[i], 1e-6) << i;
 }
 
 TEST(FacePipeline, AMissingFrameOrExpressionIsNamedAndCanBeMended) {
