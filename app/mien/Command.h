@@ -21,5 +21,6 @@ void addSweepCommand(CLI::App& program);
 void addInfluenceCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
 void addFatCommand(CLI::App& program);
+void addFdtCommand(CLI::App& program);
 
 }  // namespace mien

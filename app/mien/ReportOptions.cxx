@@ -1,45 +1,24 @@
 #include "ReportOptions.h"
 
 #include <CLI/CLI.hpp>
-#include <QPainter>
-#include <algorithm>
 #include <iostream>
 
-#include "Arguments.h"
 #include "Failure.h"
 #include "FigureApplication.h"
 #include "FigureFile.h"
 #include "FigurePainter.h"
 #include "OutputFile.h"
+#include "PlatePainter.h"
 #include "TableRows.h"
 
 namespace mien {
 
 namespace {
 
-constexpr double leastWidth = 40.0, mostWidth = 1000.0;  // mm
-
 std::string list(const std::vector<std::string>& endings) {
   std::string text;
   for (const std::string& ending : endings) text += " ." + ending;
   return text;
-}
-
-std::string themeNames() {
-  std::string names;
-  for (const FigureTheme& theme : FigureTheme::all()) names += (names.empty() ? "" : ", ") + theme.name;
-  return names;
-}
-
-bool isFigure(const std::string& name) {
-  const std::vector<std::string>& endings = FigureFile::endings();
-  return std::find(endings.begin(), endings.end(), fileEnding(name)) != endings.end();
-}
-
-void requireRange(const std::string& option, double value, double least, double most) {
-  if (value >= least && value <= most) return;
-  const auto text = [](double number) { return std::to_string(static_cast<int>(number)); };
-  throw ValueFailure(option + " is outside " + text(least) + " .. " + text(most));
 }
 
 }  // namespace
@@ -49,19 +28,7 @@ void ReportOptions::addTo(CLI::App& command) {
   command.add_option("-o,--output", outputs_,
                      "Files to write, once for each: the table as .csv, the chart as .svg .pdf .png" +
                          (otherEndings_.empty() ? std::string() : ";" + list(otherEndings_)));
-  command.add_option("--width", width_, "Of the chart, mm: 85 for one column, 170 for two")
-      ->capture_default_str()
-      ->group("Chart");
-  command.add_option("--theme", theme_, "Of the chart: " + themeNames())->capture_default_str()->group("Chart");
-  command.add_option("--dpi", dotsPerInch_, "Dots per inch of .png charts")->capture_default_str()->group("Chart");
-}
-
-double ReportOptions::width() const {
-  return parseNumber("--width", width_);
-}
-
-double ReportOptions::dotsPerInch() const {
-  return parseNumber("--dpi", dotsPerInch_);
+  drawing_.addTo(command, "Chart");
 }
 
 void ReportOptions::check() const {
@@ -71,10 +38,7 @@ void ReportOptions::check() const {
   for (const std::string& name : outputs_) requireEnding(name, known);
   for (const std::string& name : outputs_)
     const OutputFile writable(name);  // known before a long computation, not after
-  if (!FigureTheme::find(theme_))
-    throw ValueFailure("--theme '" + theme_ + "' is unknown; the known ones are " + themeNames());
-  requireRange("--width", width(), leastWidth, mostWidth);
-  requireRange("--dpi", dotsPerInch(), FigureFile::leastDotsPerInch, FigureFile::mostDotsPerInch);
+  drawing_.check();
 }
 
 std::vector<std::string> ReportOptions::outputs(const std::string& ending) const {
@@ -84,21 +48,26 @@ std::vector<std::string> ReportOptions::outputs(const std::string& ending) const
   return names;
 }
 
-void ReportOptions::writeFigure(const Figure& figure, const std::string& name, const std::string& command) const {
+void ReportOptions::writeFigure(const Report& report, const std::string& name, const std::string& command) const {
   const FigureApplication application;
-  const FigurePainter painter(figure, *FigureTheme::find(theme_), width());
-  FigureFile file(name);
-  file.setDotsPerInch(dotsPerInch());
-  file.setTitle(figure.title);
-  file.setDescription(command + "\n" + figure.note);
-  const std::string fault = file.write(painter.size(), [&](QPainter& p) { painter.paint(p); });
-  if (!fault.empty()) throw FileFailure(fault);
+  const FigureTheme& theme = *FigureTheme::find(drawing_.theme());
+  if (report.plate) {
+    const Plate plate = report.plate(drawing_.width());
+    const PlatePainter painter(plate, theme, drawing_.width());
+    drawing_.write(name, painter.size(), [&](QPainter& p) { painter.paint(p); }, plate.title,
+                   command + "\n" + plate.note);
+    return;
+  }
+  const Figure figure = report.figure();
+  const FigurePainter painter(figure, theme, drawing_.width());
+  drawing_.write(name, painter.size(), [&](QPainter& p) { painter.paint(p); }, figure.title,
+                 command + "\n" + figure.note);
 }
 
 void ReportOptions::deliver(const Report& report, const std::string& command) const {
   for (const std::string& name : outputs_) {
     if (fileEnding(name) == "csv") OutputFile::write(name, csvText(report.rows));
-    if (isFigure(name)) writeFigure(report.figure(), name, command);
+    if (FigureOptions::isFigure(name)) writeFigure(report, name, command);
   }
   if (json_) {
     std::cout << report.json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";

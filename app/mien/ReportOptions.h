@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "Figure.h"
+#include "FigureOptions.h"
+#include "Plate.h"
 
 namespace CLI {
 class App;
@@ -20,6 +22,7 @@ struct Report {
   nlohmann::ordered_json readable;   ///< the table for reading where it differs from `rows`
   std::vector<std::string> remarks;  ///< sentences below the table
   std::function<Figure()> figure;    ///< drawn only when it is asked for
+  std::function<Plate(double width)> plate;  ///< in its place, for a width in mm
 };
 
 /// The options of commands that measure: where the table and the chart go, and how the chart looks.
@@ -40,12 +43,10 @@ class ReportOptions {
   void deliver(const Report& report, const std::string& command) const;
 
  private:
-  double width() const;
-  double dotsPerInch() const;
-  void writeFigure(const Figure& figure, const std::string& name, const std::string& command) const;
+  void writeFigure(const Report& report, const std::string& name, const std::string& command) const;
 
   std::vector<std::string> otherEndings_, outputs_;
-  std::string width_ = "170", theme_ = "light", dotsPerInch_ = "300";
+  FigureOptions drawing_{"170"};
   bool json_ = false;
 };
 

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "vtkSmartPointer.h"
+
 #include <string>
 #include <vector>
 
+class vtkPointSet;
+class vtkPolyData;
 class vtkStructuredGrid;
 
 namespace mien {
@@ -10,8 +14,14 @@ namespace mien {
 /// The endings that writeSurface() knows; .csv is left to SurfaceTable.
 const std::vector<std::string>& surfaceEndings();
 
+/// The visible cells of a face's grid, wound outwards: what the polygon formats hold.
+vtkSmartPointer<vtkPolyData> outwardPolygons(vtkStructuredGrid* grid, bool triangles);
+
 /// Writes a surface in the format of the file's ending. .vts keeps the grid with its hidden cells; the polygon formats
 /// leave the hidden cells out and are wound outwards.
 void writeSurface(vtkStructuredGrid* grid, const std::string& name);
+
+/// The same for a grid or for polygons; polygons go into every format but .vts, a ValueFailure.
+void writeMesh(vtkPointSet* mesh, const std::string& name);
 
 }  // namespace mien
