@@ -61,7 +61,8 @@ PlaneDrawing arrowDrawing(const DeformationTable& table, const FacialRegions& re
         drawing.marks.push_back({{point.x(), point.y()}, 0.4, {arrowColor, 0.1, false, arrowColor}});
         continue;
       }
-      const QPolygonF line({QPointF(point.x(), point.y()), QPointF(point.x() + move.x(), point.y() + move.y())});
+      QPolygonF line;
+      line << QPointF(point.x(), point.y()) << QPointF(point.x() + move.x(), point.y() + move.y());
       drawing.lines.push_back({line, {arrowColor, 0.5}, false, true});
     }
   return drawing;

@@ -25,10 +25,10 @@ std::vector<QPolygonF> genericFaceLines(const FacialRegions& regions) {
   if (!fault.empty()) throw FileFailure("generic face: " + fault);
   std::vector<QPolygonF> lines;
   const int count = face.curves.pointsPerCurve;
-  for (int curve = 0; curve < face.curves.curveCount(); ++curve) {
+  for (int curve = 0; curve < face.curves.count; ++curve) {
     bool open = false;
     for (int i = 0; i <= count; ++i) {
-      const Eigen::Vector3d point = pupils.apply(face.curves.point(curve, i % count));
+      const Eigen::Vector3d point = pupils.apply(face.curves.curve(curve).row(i % count).transpose());
       const bool seen = point.z() > furthestBack && regions.outlineWeight(point.head<2>()) > 0.5;
       if (seen && !open) lines.emplace_back();
       if (seen) lines.back() << QPointF(point.x(), point.y());
