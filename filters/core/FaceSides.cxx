@@ -5,6 +5,8 @@
 #include <limits>
 #include <queue>
 
+#include "SmoothStep.h"
+
 namespace mien {
 
 namespace {
@@ -26,12 +28,6 @@ struct Neighbours {
     }
   }
 };
-
-/// 1 at 0, 0 from 1 on, with continuous slope.
-double fade(double t) {
-  t = std::clamp(1.0 - t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 /// Dijkstra's shortest paths along edges, up to a length.
 std::vector<double> distancesFrom(const std::vector<int>& seeds, double longest, const MeshVertices& vertices,
@@ -75,7 +71,7 @@ std::vector<double> slitSides(const MeshVertices& vertices, const MeshEdges& edg
     const double difference = std::isfinite(toUpper[i]) && std::isfinite(toLower[i]) ? toLower[i] - toUpper[i]
                               : std::isfinite(toUpper[i])                            ? slit.halfWidth
                                                                                      : -slit.halfWidth;
-    sides[i] = std::clamp(difference / slit.halfWidth, -1.0, 1.0) * fade(nearer / slit.reach);
+    sides[i] = std::clamp(difference / slit.halfWidth, -1.0, 1.0) * smoothStep(1.0 - nearer / slit.reach);
   }
   return sides;
 }

@@ -5,18 +5,14 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "SmoothStep.h"
+
 namespace mien {
 
 namespace {
 
 using Json = nlohmann::json;
 constexpr int knownVersion = 1;
-
-/// 0 below 0, 1 above 1, with continuous slope.
-double smoothStep(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 double finite(const Json& json, const char* key, double smallest, double largest) {
   const double value = json.at(key).get<double>();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "SmoothStep.h"
+
 namespace mien {
 
 namespace {
@@ -10,8 +12,7 @@ namespace {
 constexpr double eyeHalfWidth = 0.45;
 
 double fade(double t) {
-  t = std::clamp(1.0 - t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
+  return smoothStep(1.0 - t);
 }
 
 }  // namespace

@@ -3,7 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "SmoothStep.h"
+
 namespace mien {
+
+namespace {
+
+// Distances from a region's centre, pupil units, for tables whose points are not known.
+constexpr double fullTrust = 0.8, noTrust = 1.4;
+
+}  // namespace
 
 TableDeformation::TableDeformation(const std::vector<DeformationPoint>& points, const PupilNormalisation& pupils,
                                    const FacialRegions& regions, bool smooth) {
@@ -17,31 +26,37 @@ TableDeformation::TableDeformation(const std::vector<DeformationPoint>& points, 
     Place place{p.head<2>(), regions.outlineWeight(p.head<2>()) * regions.facingWeight(p.z(), point.normalZ),
                 static_cast<std::uint32_t>(shares_.size()), 0};
     if (place.coverage > 0.0 && point.region) {
-      shares_.push_back({1.0, point.region - 1});
+      addShare(regions, place.point, point.region, 1.0);
     } else if (place.coverage > 0.0 && smooth) {
       const FacialRegions::Weights weights = regions.weights(place.point, point.side);
       for (int i = 0; i < FacialRegions::count; ++i)
-        if (weights[i] > 0.0) shares_.push_back({weights[i], i});
+        if (weights[i] > 0.0) addShare(regions, place.point, i + 1, weights[i]);
     } else if (place.coverage > 0.0) {
-      shares_.push_back({1.0, regions.nearest(place.point, point.side) - 1});
+      addShare(regions, place.point, regions.nearest(place.point, point.side), 1.0);
     }
     place.count = static_cast<std::uint32_t>(shares_.size()) - place.first;
     places_.push_back(place);
   }
 }
 
+void TableDeformation::addShare(const FacialRegions& regions, const Eigen::Vector2d& point, int region, double weight) {
+  const double distance = (point - regions.centre(region)).norm();
+  const double trust = smoothStep((noTrust - distance) / (noTrust - fullTrust));
+  shares_.push_back({weight, weight * trust, region - 1});
+}
+
 void TableDeformation::displacements(const DeformationTable& table, double limit, double strength, std::size_t begin,
                                      std::size_t end, Eigen::Vector2d* result) const {
   std::array<QuadraticMap::Coefficients, FacialRegions::count> moves;
-  for (int i = 0; i < FacialRegions::count; ++i)
-    moves[i] = table.maps[i].coefficients - QuadraticMap::identity();
+  for (int i = 0; i < FacialRegions::count; ++i) moves[i] = table.maps[i].coefficients - QuadraticMap::identity();
   const double longest = displacementLimit * limit;
+  const auto weight = table.largestDisplacement > 0.0 ? &Share::weight : &Share::nearWeight;
   for (std::size_t i = begin; i < end; ++i) {
     const Place& place = places_[i];
     const QuadraticMap::Basis basis = QuadraticMap::basis(place.point);
     Eigen::Vector2d move = Eigen::Vector2d::Zero();
     for (std::uint32_t s = place.first; s < place.first + place.count; ++s)
-      move += shares_[s].weight * (moves[shares_[s].region] * basis);
+      move += shares_[s].*weight * (moves[shares_[s].region] * basis);
     const double length = move.norm();
     if (length > longest) move *= longest / length;
     result[i - begin] = toFace_ * (strength * place.coverage * move);
@@ -56,8 +71,9 @@ double fittedDisplacement(const DeformationTable& table, const FacialRegions& re
   for (int region = 1; region <= FacialRegions::count; ++region)
     for (int i = 0; i <= directions; ++i) {
       const double angle = 2.0 * 3.14159265358979 * i / directions;
-      const Eigen::Vector2d offset = i == directions ? Eigen::Vector2d(0.0, 0.0)
-                                                     : Eigen::Vector2d(reach * std::cos(angle), reach * std::sin(angle));
+      const Eigen::Vector2d offset = i == directions
+                                         ? Eigen::Vector2d(0.0, 0.0)
+                                         : Eigen::Vector2d(reach * std::cos(angle), reach * std::sin(angle));
       const Eigen::Vector2d point = regions.centre(region) + offset;
       largest = std::max(largest, (table.maps[region - 1].apply(point) - point).norm());
     }

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "FacialRegions.h"
-#include "PupilNormalisation.h"
-
 #include <cstdint>
 #include <vector>
+
+#include "FacialRegions.h"
+#include "PupilNormalisation.h"
 
 namespace mien {
 
@@ -18,9 +18,10 @@ struct DeformationPoint {
 
 /// Moves the points of one face by tables; the weights of the regions are computed once.
 ///
-/// p' = p + strength c(p) sum_r w_r(p) (M_r(p) - p), with weights w of FacialRegions and c fading to 0 outside the fitted
-/// points. The length of the sum is limited to 1.5 times the largest fitted displacement, because quadratics run away
-/// where they were not fitted. z is carried along unchanged.
+/// p' = p + strength c(p) sum_r w_r(p) (M_r(p) - p), with weights w of FacialRegions and c fading to 0 outside the
+/// fitted points. The length of the sum is limited to 1.5 times the largest fitted displacement, because quadratics run
+/// away where they were not fitted. A table that does not say what it was fitted to (largestDisplacement 0) is believed
+/// within 0.8 of a region's centre and fades to nothing at 1.4. z is carried along unchanged.
 class TableDeformation {
  public:
   static constexpr double displacementLimit = 1.5;
@@ -32,8 +33,8 @@ class TableDeformation {
 
   /// Displacements (x and y in the face's own unit; z is 0) of points begin .. end - 1. `limit` is the largest fitted
   /// displacement, pupil units. May be called from several threads.
-  void displacements(const DeformationTable& table, double limit, double strength, std::size_t begin,
-                     std::size_t end, Eigen::Vector2d* result) const;
+  void displacements(const DeformationTable& table, double limit, double strength, std::size_t begin, std::size_t end,
+                     Eigen::Vector2d* result) const;
 
  private:
   struct Place {
@@ -44,8 +45,11 @@ class TableDeformation {
   };
   struct Share {
     double weight;
-    int region;  ///< from 0
+    double nearWeight;  ///< fading beyond the middle of the region, for tables whose points are not known
+    int region;         ///< from 0
   };
+  void addShare(const FacialRegions& regions, const Eigen::Vector2d& point, int region, double weight);
+
   std::vector<Place> places_;
   std::vector<Share> shares_;
   Eigen::Matrix2d toFace_;  ///< pupil units to the face's own unit

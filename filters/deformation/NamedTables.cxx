@@ -7,6 +7,7 @@
 #include "DisgustTable.h"
 #include "FearTable.h"
 #include "JoyTable.h"
+#include "PackedTable.h"
 #include "SadnessTable.h"
 #include "SmileTable.h"
 #include "SurpriseTable.h"
@@ -66,6 +67,10 @@ std::string readNamedTable(const std::string& nameOrFile, DeformationTable& tabl
   std::string text;
   std::string fault = readTextFile(nameOrFile, largestText, text);
   const bool unreadable = !fault.empty();
+  if (!unreadable && isPackedTable(text)) {
+    fault = unpackTable(text, table);
+    return fault.empty() ? "" : nameOrFile + ": " + fault;
+  }
   if (!unreadable) fault = parseTable(text, table);
   if (unreadable && nameOrFile.find_first_of("./\\") == std::string::npos)
     fault += "; there are the tables " + listed(tableNames());

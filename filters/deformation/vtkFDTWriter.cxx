@@ -3,6 +3,7 @@
 #include <vtksys/FStream.hxx>
 
 #include "FDTData.h"
+#include "PackedTable.h"
 #include "TableText.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -27,8 +28,12 @@ void vtkFDTWriter::WriteData() {
     vtkErrorMacro(<< fault);
     return;
   }
+  if (this->Bits != 0 && this->Bits != 8 && this->Bits != 16) {
+    vtkErrorMacro("there are no tables of " << this->Bits << " bits; give 0 (text), 8 or 16");
+    return;
+  }
   vtksys::ofstream file(name.c_str(), std::ios::binary);
-  file << mien::writeTable(table, this->Comment) << std::flush;
+  file << (this->Bits == 0 ? mien::writeTable(table, this->Comment) : mien::packTable(table, this->Bits)) << std::flush;
   if (!file)
     vtkErrorMacro(<< name << ": it cannot be written; give a file in a folder that exists and may be written to");
 }
@@ -36,5 +41,6 @@ void vtkFDTWriter::WriteData() {
 void vtkFDTWriter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Bits: " << this->Bits << "\n";
   os << indent << "Comment: " << this->Comment << "\n";
 }

@@ -1,6 +1,6 @@
 /**
  * @class vtkFDTWriter
- * @brief writes a facial deformation table to a CSV file
+ * @brief writes a facial deformation table to a CSV file or a packed one
  *
  * Input: vtkTable of 16 rows, columns as described in FDTData.h. What is written is read back without a difference.
  * Errors: a table that is none, a file that cannot be written.
@@ -21,9 +21,16 @@ class MIENDEFORMATION_EXPORT vtkFDTWriter : public vtkWriter {
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The .csv file. Default: none. */
+  /** The file. Default: none. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /** 0: text (default); 8 or 16: packed with so many bits a coefficient, without deviations and comment
+   * (PackedTable.h). */
+  vtkSetMacro(Bits, int);
+  vtkGetMacro(Bits, int);
   ///@}
 
   ///@{
@@ -43,6 +50,7 @@ class MIENDEFORMATION_EXPORT vtkFDTWriter : public vtkWriter {
   void operator=(const vtkFDTWriter&) = delete;
 
   char* FileName = nullptr;
+  int Bits = 0;
   std::string Comment;
 };
 

@@ -1,5 +1,7 @@
 #include "DefaultRegions.h"
 #include "FDTData.h"
+#include "NamedTables.h"
+#include "PackedTable.h"
 #include "PipelineErrors.h"
 #include "TemporaryFolder.h"
 #include "TextFile.h"
@@ -118,6 +120,33 @@ TEST(FDTFiles, WhatIsWrittenIsReadBack) {
   mien::DeformationTable read;
   ASSERT_EQ(mien::readFDT(reader->GetOutput(), read), "");
   for (int i = 0; i < 16; ++i) EXPECT_EQ(read.maps[i].coefficients, table.maps[i].coefficients);
+}
+
+TEST(FDTFiles, PackedTablesAreReadBackWithinTheirError) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("joy.fdt");
+  const mien::DeformationTable& joy = *mien::namedTable("joy");
+  vtkNew<vtkTable> data;
+  mien::writeFDT(joy, data);
+  vtkNew<vtkFDTWriter> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file.c_str());
+  writer->SetBits(16);
+  writer->Write();
+  EXPECT_EQ(readTextFile(file).size(), 408u);
+  vtkNew<vtkFDTReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  mien::DeformationTable read;
+  ASSERT_EQ(mien::readFDT(reader->GetOutput(), read), "");
+  const Eigen::Vector2d chin(0.0, -3.4);
+  EXPECT_LT((read.maps[15].apply(chin) - joy.maps[15].apply(chin)).norm(), mien::packingError(joy, 16, 0.8));
+  writeTextFile(file, readTextFile(file).substr(0, 100));
+  mien::PipelineErrors errors;
+  errors.observe(reader);
+  reader->Modified();
+  reader->Update();
+  EXPECT_EQ(errors.first().rfind(file + ": it has 100 bytes", 0), 0u) << errors.first();
 }
 
 TEST(FDTFiles, TheReaderNamesFileAndLine) {

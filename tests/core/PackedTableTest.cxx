@@ -1,0 +1,73 @@
+#include "PackedTable.h"
+#include "RegionMap.h"
+#include "TableText.h"
+
+using namespace mien;
+
+namespace {
+
+DeformationTable meanOf(const std::string& expression) {
+  DeformationTable table;
+  EXPECT_EQ(parseTable(readDataFile("deformation/" + expression + ".csv"), table), "");
+  return table;
+}
+
+/// Largest difference of displacements within `reach` of the regions' centres.
+double largestError(const DeformationTable& a, const DeformationTable& b, double reach) {
+  const FacialRegions regions = regionMap();
+  double largest = 0.0;
+  for (int region = 1; region <= 16; ++region)
+    for (double x = -reach; x <= reach; x += reach / 8)
+      for (double y = -reach; y <= reach; y += reach / 8)
+        if (std::hypot(x, y) <= reach) {
+          const Eigen::Vector2d point = regions.centre(region) + Eigen::Vector2d(x, y);
+          largest = std::max(largest, (a.maps[region - 1].apply(point) - b.maps[region - 1].apply(point)).norm());
+        }
+  return largest;
+}
+
+}  // namespace
+
+TEST(PackedTable, ErrorsStayBelowTheirBound) {
+  for (const char* expression : {"joy", "surprise", "anger"})
+    for (const int bits : {8, 16}) {
+      const DeformationTable table = meanOf(expression);
+      const std::string bytes = packTable(table, bits);
+      EXPECT_EQ(bytes.size(), bits == 8 ? 216u : 408u);
+      DeformationTable read;
+      ASSERT_EQ(unpackTable(bytes, read), "");
+      EXPECT_NEAR(read.largestDisplacement, table.largestDisplacement, 1e-7);
+      const double bound = packingError(table, bits, 0.8), error = largestError(table, read, 0.8);
+      EXPECT_LE(error, bound + 1e-12) << expression;
+      EXPECT_GT(error, 0.05 * bound) << "else the bound says nothing";
+      // Pupil units; half the distance of the pupils is about 31 mm: 0.001 mm at 16 bits, 0.12 mm at 8.
+      EXPECT_LT(error, bits == 8 ? 0.004 : 0.00002) << expression;
+    }
+}
+
+TEST(PackedTable, TheIdentityStaysTheIdentity) {
+  DeformationTable read = meanOf("joy");
+  ASSERT_EQ(unpackTable(packTable(DeformationTable(), 8), read), "");
+  for (const QuadraticMap& map : read.maps)
+    EXPECT_LT((map.coefficients - QuadraticMap::identity()).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST(PackedTable, DamagedBytesAreRefusedAndNothingIsLoaded) {
+  const std::string good = packTable(meanOf("joy"), 16);
+  DeformationTable table;
+  const auto fault = [&](std::size_t at, char byte) {
+    std::string bytes = good;
+    bytes[at] = byte;
+    return unpackTable(bytes, table);
+  };
+  EXPECT_NE(fault(0, 'X').find("no packed"), std::string::npos);
+  EXPECT_NE(fault(4, 2).find("version is 2"), std::string::npos);
+  EXPECT_NE(fault(5, 12).find("12 bits"), std::string::npos);
+  EXPECT_NE(fault(5, 8).find("408 bytes where a table has 216"), std::string::npos);
+  EXPECT_NE(fault(7, 1).find("damaged"), std::string::npos);
+  EXPECT_NE(fault(15, char(0xff)).find("step"), std::string::npos);
+  EXPECT_NE(unpackTable("", table), "");
+  EXPECT_NE(unpackTable("MFDT", table), "");
+  EXPECT_NE(unpackTable(good.substr(0, 400), table), "");
+  EXPECT_EQ(table.largestDisplacement, 0.0);
+}
