@@ -2,16 +2,9 @@
 #include <cstdlib>
 
 #include "MarkerTable.h"
+#include "Require.h"
 
 using namespace mien;
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   PointTable table, again;

@@ -18,6 +18,7 @@ void addFdtCommand(CLI::App& program) {
   addFdtMirrorCommand(*command);
   addFdtBlendCommand(*command);
   addFdtFromFapCommand(*command);
+  addFdtPackCommand(*command);
   command->footer(
       "A TABLE is a .csv file, or one that is compiled in: joy, sadness, anger, fear, disgust, surprise (means of 12 "
       "subjects)\n"

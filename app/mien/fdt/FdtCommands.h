@@ -16,5 +16,6 @@ void addFdtShowCommand(CLI::App& parent);
 void addFdtMirrorCommand(CLI::App& parent);
 void addFdtBlendCommand(CLI::App& parent);
 void addFdtFromFapCommand(CLI::App& parent);
+void addFdtPackCommand(CLI::App& parent);
 
 }  // namespace mien
