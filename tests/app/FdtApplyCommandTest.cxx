@@ -74,7 +74,9 @@ TEST(FdtApplyCommand, StrengthScalesAndPupilsStay) {
     EXPECT_EQ(none.points[i].position, p);
     EXPECT_LT((half.points[i].position - p - 0.5 * move).norm(), 1e-10);
     EXPECT_EQ(move.z(), 0.0);
-    if (i < 2) EXPECT_EQ(move.norm(), 0.0) << "a pupil";
+    if (i < 2) {
+      EXPECT_EQ(move.norm(), 0.0) << "a pupil";
+    }
     largest = std::max(largest, move.norm());
   }
   EXPECT_GT(largest, 5.0);

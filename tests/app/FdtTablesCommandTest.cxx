@@ -126,3 +126,21 @@ TEST(FdtShowCommand, PrintsAndDrawsATable) {
   EXPECT_EQ(json::parse(run({"show", "joy", "--json"}).output)["regions"][0]["b_sd"].size(), 6u);
   EXPECT_EQ(run({"show", "joy", "--arrows", "0"}).exitCode, 2);
 }
+
+TEST(FdtPackCommand, KeepsTheBoundItStates) {
+  const TemporaryFolder folder;
+  double before = 1.0;
+  for (const char* const bits : {"8", "16"}) {
+    const Outcome outcome = run({"pack", "surprise", "--bits", bits, "-o", folder.file("p.fdt"), "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    const json about = json::parse(outcome.output);
+    EXPECT_EQ(about["bytes"], readTextFile(folder.file("p.fdt")).size());
+    EXPECT_LE(about["generic_face_error_mm"], about["error_bound_mm"].get<double>() + 1e-5);
+    EXPECT_LT(about["error_bound_mm"], before) << "more bits, less error";
+    before = about["error_bound_mm"].get<double>() / 100.0;
+    const Outcome named = run({"classify", folder.file("p.fdt"), "--json"});
+    EXPECT_EQ(json::parse(named.output)["expression"], "surprise");
+  }
+  EXPECT_EQ(run({"pack", "joy", "--bits", "12", "-o", folder.file("q.fdt")}).exitCode, 2);
+  EXPECT_EQ(run({"pack", "joy", "-o", folder.file("q.csv")}).exitCode, 2);
+}

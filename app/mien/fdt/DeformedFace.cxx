@@ -35,8 +35,8 @@ vtkSmartPointer<vtkPointSet> deform(vtkPointSet* data, const DeformationTable& t
   filter->SetLeftPupilName(options.reading.markers().leftPupil);
   filter->SetRightPupilName(options.reading.markers().rightPupil);
   if (pupils) {
-    filter->SetLeftPupil(EyePupils(*pupils).left.data());
-    filter->SetRightPupil(EyePupils(*pupils).right.data());
+    filter->SetLeftPupil(pupils->left.data());
+    filter->SetRightPupil(pupils->right.data());
   }
   filter->Update();
   if (!errors.first().empty()) throw FileFailure(file + ": " + errors.first());

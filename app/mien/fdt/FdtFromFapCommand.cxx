@@ -46,7 +46,7 @@ bool movesAnything(const FaceState& state) {
 
 vtkSmartPointer<vtkStructuredGrid> copyOf(vtkStructuredGrid* grid) {
   const auto copy = vtkSmartPointer<vtkStructuredGrid>::New();
-  copy->ShallowCopy(grid);
+  copy->DeepCopy(grid);
   return copy;
 }
 

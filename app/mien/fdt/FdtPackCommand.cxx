@@ -42,6 +42,7 @@ struct FaceError {
 
   FaceError(const DeformationTable& table, const DeformationTable& packed) {
     FacePipeline pipeline;
+    FaceOptions().apply(pipeline);
     updateOrThrow(pipeline);
     const auto a = deformSurface(pipeline.grid(), table, {}, "generic face");
     const auto b = deformSurface(pipeline.grid(), packed, {}, "generic face");

@@ -83,10 +83,10 @@ FittedTable fitSurfaces(vtkPointSet* neutral, vtkPointSet* expression, const Mar
   filter->SetLeftPupilName(markers.leftPupil);
   filter->SetRightPupilName(markers.rightPupil);
   if (markers.neutralPupils) {
-    filter->SetLeftPupil(EyePupils(*markers.neutralPupils).left.data());
-    filter->SetRightPupil(EyePupils(*markers.neutralPupils).right.data());
-    filter->SetOtherLeftPupil(EyePupils(*markers.expressionPupils).left.data());
-    filter->SetOtherRightPupil(EyePupils(*markers.expressionPupils).right.data());
+    filter->SetLeftPupil(markers.neutralPupils->left.data());
+    filter->SetRightPupil(markers.neutralPupils->right.data());
+    filter->SetOtherLeftPupil(markers.expressionPupils->left.data());
+    filter->SetOtherRightPupil(markers.expressionPupils->right.data());
   }
   filter->Update();
   if (!errors.first().empty()) throw FileFailure(names + ": " + errors.first());
