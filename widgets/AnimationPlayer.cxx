@@ -12,6 +12,8 @@ namespace mien {
 namespace {
 
 constexpr int shortestWait = 4, longestWait = 200;  // ms; the longest keeps slow files responsive
+constexpr int smoothWait = 16;                      // between pictures that are mixed from two frames
+constexpr int rateInterval = 1000;                  // ms
 
 }  // namespace
 
@@ -21,13 +23,33 @@ AnimationPlayer::AnimationPlayer(FaceModel* model, QObject* parent)
   timer_->setSingleShot(true);
   connect(timer_, &QTimer::timeout, this, &AnimationPlayer::tick);
   connect(model_, &FaceModel::animationChanged, this, &AnimationPlayer::pause);
+  connect(model_, &FaceModel::animationChanged, this, &AnimationPlayer::resetRange);
+  connect(model_, &FaceModel::updated, this, &AnimationPlayer::measureRate);
+}
+
+bool AnimationPlayer::hasRange() const { return begin_ > 0 || end_ + 1 < model_->frameCount(); }
+
+void AnimationPlayer::resetRange() { setRange(0, model_->frameCount() - 1); }
+
+void AnimationPlayer::setRange(int begin, int end) {
+  const int last = std::max(0, model_->frameCount() - 1);
+  begin_ = std::clamp(std::min(begin, end), 0, last);
+  end_ = std::clamp(std::max(begin, end), 0, last);
+  emit rangeChanged();
+}
+
+void AnimationPlayer::setSpeed(double speed) {
+  speed_ = speed;
+  if (playing_) start(model_->framePosition());
 }
 
 void AnimationPlayer::play() {
-  if (playing_ || model_->frameCount() < 2) return;
-  const bool atEnd = model_->frameIndex() + 1 >= model_->frameCount();
+  if (playing_ || end_ <= begin_) return;
+  const double position = model_->framePosition();
   playing_ = true;
-  start(atEnd ? 0 : model_->frameIndex());
+  shown_ = 0;
+  rateClock_.start();
+  start(position < begin_ || position >= end_ ? begin_ : position);
   emit playingChanged(true);
 }
 
@@ -38,26 +60,40 @@ void AnimationPlayer::pause() {
   emit playingChanged(false);
 }
 
-void AnimationPlayer::seek(int frame) {
+void AnimationPlayer::seek(double frame) {
   playing_ ? start(frame) : model_->showFrame(frame);
 }
 
-void AnimationPlayer::start(int frame) {
+void AnimationPlayer::start(double frame) {
   firstFrame_ = frame;
   clock_.start();
   model_->showFrame(frame);
   timer_->start(shortestWait);
 }
 
+/// The last frame of the range is shown as long as any other.
 void AnimationPlayer::tick() {
-  const double rate = model_->framesPerSecond();
-  const double passed = clock_.nsecsElapsed() * 1e-9 * rate;  // frames
-  const double frame = firstFrame_ + std::floor(passed);
-  if (frame >= model_->frameCount() && loops_) return start(0);
-  model_->showFrame(static_cast<int>(std::min(frame, model_->frameCount() - 1.0)));
-  if (frame >= model_->frameCount()) return pause();
-  const double wait = 1000.0 * (std::floor(passed) + 1.0 - passed) / rate;
-  timer_->start(std::clamp(static_cast<int>(std::ceil(wait)), shortestWait, longestWait));
+  const double position = firstFrame_ + clock_.nsecsElapsed() * 1e-9 * model_->framesPerSecond() * speed_;
+  if (position >= end_ + 1.0 && loops_) return start(begin_);
+  model_->showFrame(std::min<double>(position, end_));
+  if (position >= end_ + 1.0) return pause();
+  timer_->start(waitFor(position));
+}
+
+int AnimationPlayer::waitFor(double position) const {
+  if (model_->interpolates()) return smoothWait;
+  const double wait = 1000.0 * (std::floor(position) + 1.0 - position) / (model_->framesPerSecond() * speed_);
+  return std::clamp(static_cast<int>(std::ceil(wait)), shortestWait, longestWait);
+}
+
+void AnimationPlayer::measureRate() {
+  if (!playing_) return;
+  ++shown_;
+  const qint64 passed = rateClock_.elapsed();
+  if (passed < rateInterval) return;
+  emit rateMeasured(1000.0 * shown_ / passed);
+  shown_ = 0;
+  rateClock_.start();
 }
 
 }  // namespace mien

@@ -9,7 +9,8 @@ namespace mien {
 
 class FaceModel;
 
-/// Plays the model's animation at the file's own rate; frames that the computer is too slow for are left out.
+/// Plays the model's animation, or a range of it, at the file's own rate or a multiple; frames that the computer is too
+/// slow for are left out.
 class AnimationPlayer : public QObject {
   Q_OBJECT
  public:
@@ -17,25 +18,36 @@ class AnimationPlayer : public QObject {
 
   bool isPlaying() const { return playing_; }
   bool loops() const { return loops_; }
+  int rangeBegin() const { return begin_; }  ///< first frame that is played, from 0
+  int rangeEnd() const { return end_; }      ///< last frame that is played
+  bool hasRange() const;                     ///< whether that is not all
 
  public slots:
-  void play();  ///< from the current frame, or from the first when the last is shown
+  void play();  ///< from the current frame, or from the first of the range when that is its last or outside
   void pause();
   void setPlaying(bool playing) { playing ? play() : pause(); }
   void setLoop(bool loop) { loops_ = loop; }
-  void seek(int frame);  ///< goes on from there while playing
+  void seek(double frame);  ///< goes on from there while playing
+  void setRange(int begin, int end);  ///< frames from 0, in either order; brought to the nearer end when outside
+  void setSpeed(double speed);        ///< multiple of the file's rate, above 0; default 1
 
  signals:
   void playingChanged(bool playing);
+  void rangeChanged();
+  void rateMeasured(double framesPerSecond);  ///< of pictures shown, once a second while playing
 
  private:
   void tick();
-  void start(int frame);
+  void start(double frame);
+  void measureRate();
+  void resetRange();
+  int waitFor(double position) const;
 
   FaceModel* model_;
   QTimer* timer_;
-  QElapsedTimer clock_;
-  int firstFrame_ = 0;
+  QElapsedTimer clock_, rateClock_;
+  double firstFrame_ = 0.0, speed_ = 1.0;
+  int begin_ = 0, end_ = 0, shown_ = 0;
   bool playing_ = false, loops_ = true;
 };
 

@@ -3,7 +3,6 @@
 #include "FaceModel.h"
 #include "FaceStateText.h"
 #include "FigureFile.h"
-#include "FigurePainter.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
@@ -12,13 +11,7 @@
 
 namespace mien {
 
-namespace {
-
-constexpr double figureWidth = 170.0;  // mm, the text width of an A4 page
-
-}  // namespace
-
-ExportButton::ExportButton(const QString& objectName, FaceModel* model, std::function<Figure()> figure,
+ExportButton::ExportButton(const QString& objectName, FaceModel* model, std::function<ExportDrawing()> figure,
                            std::function<std::string()> numbers, QWidget* parent)
     : QToolButton(parent), model_(model), figure_(std::move(figure)), numbers_(std::move(numbers)) {
   setObjectName(objectName);
@@ -45,13 +38,12 @@ void ExportButton::ask(const QString& ending, const QString& description) {
 }
 
 std::string ExportButton::writeFigure(const std::string& fileName) const {
-  const Figure figure = figure_();
-  if (figure.panels.empty()) return fileName + ": there is no figure yet to write; wait until it is shown";
-  const FigurePainter painter(figure, *FigureTheme::find("light"), figureWidth);
+  const ExportDrawing drawing = figure_();
+  if (!drawing.paint) return fileName + ": there is no figure yet to write; wait until it is shown";
   FigureFile file(fileName);
-  file.setTitle(figure.title);
-  file.setDescription(writeFaceState(model_->state()));
-  return file.write(painter.size(), [&](QPainter& target) { painter.paint(target); });
+  file.setTitle(drawing.title);
+  file.setDescription(writeFaceState(model_->state()) + drawing.description);
+  return file.write(drawing.size, drawing.paint);
 }
 
 std::string ExportButton::writeNumbers(const QString& fileName) const {

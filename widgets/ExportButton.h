@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Figure.h"
+#include "ExportDrawing.h"
 
 #include <QString>
 #include <QToolButton>
@@ -18,7 +18,7 @@ class ExportButton : public QToolButton {
  public:
   /// @param figure   with title, caption and note, asked for when it is written
   /// @param numbers  text of a CSV file
-  ExportButton(const QString& objectName, FaceModel* model, std::function<Figure()> figure, std::function<std::string()> numbers,
+  ExportButton(const QString& objectName, FaceModel* model, std::function<ExportDrawing()> figure, std::function<std::string()> numbers,
                QWidget* parent = nullptr);
 
   /// The ending decides on the format. The message bar says what went wrong. @return whether it was written
@@ -30,7 +30,7 @@ class ExportButton : public QToolButton {
   std::string writeNumbers(const QString& fileName) const;
 
   FaceModel* model_;
-  std::function<Figure()> figure_;
+  std::function<ExportDrawing()> figure_;
   std::function<std::string()> numbers_;
 };
 

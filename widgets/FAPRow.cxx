@@ -51,35 +51,46 @@ FAPRow::FAPRow(const FAPDefinition& fap, double millimetresPerUnit, QWidget* par
 }
 
 void FAPRow::build(const FAPDefinition& fap) {
-  const QString label = fapLabel(fap);
-  const int range = sliderRange(fap.unit);
-  const bool isAngle = unit_ == FAPUnit::Angle;
-  slider_->setObjectName(QString("fapSlider%1").arg(fap_));
-  slider_->setRange(fap.bidirectional ? -range : 0, range);
-  slider_->setSingleStep(isAngle ? singleAngleStep : singleStep);
-  slider_->setPageStep(isAngle ? pageAngleStep : pageStep);
-  slider_->setDoubleClickResets(true);
-  slider_->setAccessibleName(label);
-  number_->setObjectName(QString("fapValue%1").arg(fap_));
-  number_->setRange(-FaceState::largestFAPValue, FaceState::largestFAPValue);
-  number_->setDecimals(0);
-  number_->setSingleStep(isAngle ? singleAngleStep : 10);
-  number_->setFocusPolicy(Qt::StrongFocus);
-  number_->installEventFilter(this);
-  number_->setSuffix(unitSuffix(fap.unit));
-  number_->setKeyboardTracking(false);
-  number_->setAccessibleName(label);
-  number_->setAlignment(Qt::AlignRight);
-  number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  number_->setFixedSize(number_->fontMetrics().horizontalAdvance("-1024 IRISD") + 16, number_->fontMetrics().height() + 10);
+  buildSlider(fap);
+  buildNumber(fap);
+  name_->setObjectName(QString("fapName%1").arg(fap_));
   length_->setObjectName(QString("fapLength%1").arg(fap_));
   length_->setProperty("faint", true);
   reset_->setObjectName(QString("fapReset%1").arg(fap_));
   reset_->setIcon(icon(Symbol::Reset));
   reset_->setIconSize({12, 12});
   reset_->setToolTip(tr("Back to 0"));
-  name_->setObjectName(QString("fapName%1").arg(fap_));
   explain(fapToolTip(fap, millimetresPerUnit_));
+  layOut();
+}
+
+void FAPRow::buildSlider(const FAPDefinition& fap) {
+  const bool isAngle = unit_ == FAPUnit::Angle;
+  const int range = sliderRange(unit_);
+  slider_->setObjectName(QString("fapSlider%1").arg(fap_));
+  slider_->setRange(fap.bidirectional ? -range : 0, range);
+  slider_->setSingleStep(isAngle ? singleAngleStep : singleStep);
+  slider_->setPageStep(isAngle ? pageAngleStep : pageStep);
+  slider_->setDoubleClickResets(true);
+  slider_->setAccessibleName(fapLabel(fap));
+}
+
+void FAPRow::buildNumber(const FAPDefinition& fap) {
+  number_->setObjectName(QString("fapValue%1").arg(fap_));
+  number_->setRange(-FaceState::largestFAPValue, FaceState::largestFAPValue);
+  number_->setDecimals(0);
+  number_->setSingleStep(unit_ == FAPUnit::Angle ? singleAngleStep : 10);
+  number_->setFocusPolicy(Qt::StrongFocus);
+  number_->installEventFilter(this);
+  number_->setSuffix(unitSuffix(unit_));
+  number_->setKeyboardTracking(false);
+  number_->setAccessibleName(fapLabel(fap));
+  number_->setAlignment(Qt::AlignRight);
+  number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+  number_->setFixedSize(number_->fontMetrics().horizontalAdvance("-1024 IRISD") + 16, number_->fontMetrics().height() + 10);
+}
+
+void FAPRow::layOut() {
   auto* upper = new QHBoxLayout;
   upper->addWidget(name_, 1);
   upper->addWidget(length_);
@@ -118,10 +129,9 @@ void FAPRow::setValue(double value) {
 
 void FAPRow::setShownValue(double value) {
   slider_->setShownValue(value);
-  if (unit_ == FAPUnit::Angle)
-    length_->setText(tr("%1\u00b0").arg(value * degreesPerAngleUnit, 0, 'f', 1));
-  else
-    length_->setText(tr("%1 mm").arg(value * millimetresPerUnit_, 0, 'f', 1));
+  const bool isAngle = unit_ == FAPUnit::Angle;
+  const double tenths = std::round(10.0 * value * (isAngle ? degreesPerAngleUnit : millimetresPerUnit_)) + 0.0;  // no -0
+  length_->setText((isAngle ? tr("%1\u00b0") : tr("%1 mm")).arg(0.1 * tenths, 0, 'f', 1));
 }
 
 void FAPRow::setPartnerShown(bool shown) {

@@ -36,6 +36,9 @@ class FAPRow : public QWidget {
 
  private:
   void build(const FAPDefinition& fap);
+  void buildSlider(const FAPDefinition& fap);
+  void buildNumber(const FAPDefinition& fap);
+  void layOut();
   void display(double value);
   void explain(const QString& tip);
   void edit(double value);

@@ -123,7 +123,8 @@ QString FaceModel::stillFAPs() const {
 }
 
 void FaceModel::reportAnimation() {
-  const QString name = QFileInfo(QString::fromStdString(state_.fapFile)).fileName(), still = stillFAPs();
+  const QString still = stillFAPs();
+  const QString name = isLive() ? tr("The stream") : QFileInfo(QString::fromStdString(state_.fapFile)).fileName();
   QStringList remarks;
   for (const std::string& warning : pipeline_.frames()->GetWarnings()) remarks << QString::fromStdString(warning);
   if (remarks.isEmpty()) {
@@ -144,6 +145,18 @@ bool FaceModel::openAnimation(const QString& fileName) {
   const bool good = update();
   if (good) emit recovered();
   return good;
+}
+
+void FaceModel::appendLive(double framesPerSecond, const QString& name, const std::vector<FAPFrame>& frames) {
+  const bool isFirst = !isLive();
+  if (isFirst) pipeline_.frames()->StartStream(framesPerSecond, name.toStdString());
+  for (FAPFrame frame : frames) {
+    pipeline_.frames()->AppendFrame(frame);
+    resolveHighLevelFAPs(defaultVisemes(), defaultExpressions(), frame);
+    if (!isFirst) motion_.frames.push_back(frame);
+  }
+  if (isFirst) openAnimation("-");
+  emit animationGrew();
 }
 
 void FaceModel::closeAnimation() { openAnimation(QString()); }

@@ -40,6 +40,10 @@ class FaceModel : public QObject {
   bool openAnimation(const QString& fileName);
   void closeAnimation();
 
+  /// Appends frames of a stream that is still being written; the first take the place of the animation that is open.
+  void appendLive(double framesPerSecond, const QString& name, const std::vector<FAPFrame>& frames);
+  bool isLive() const { return state_.fapFile == "-"; }
+
   int frameCount() const;          ///< of the open animation; 0 without one
   double framesPerSecond() const;  ///< of the open animation; 0 without one
   int frameIndex() const;          ///< from 0; between two frames that of the one before
@@ -71,6 +75,7 @@ class FaceModel : public QObject {
   void stateChanged();      ///< at once, with every change
   void updated();           ///< the pipeline's output is new
   void animationChanged();  ///< another .fap file, or none
+  void animationGrew();     ///< a stream has more frames
   void tableChanged();      ///< other FAPs may move the face
   void recovered();         ///< a change of more than the frame was good; what failed before it is history
   void failed(const QString& sentence, const QString& details);

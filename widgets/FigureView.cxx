@@ -1,5 +1,6 @@
 #include "FigureView.h"
 
+#include "ScreenFigure.h"
 #include "Theme.h"
 
 #include <QKeyEvent>
@@ -13,17 +14,11 @@ namespace mien {
 
 namespace {
 
-constexpr double millimetresPerPixel = 25.4 / 96.0 / 1.25;  // type of 7 pt is as large as the interface's own
-constexpr double unitsPerPixel = millimetresPerPixel * figureUnitsPerMillimetre;
+constexpr double unitsPerPixel = figureUnitsPerPixel;
 constexpr double handle = 5.0;  // pixels
+constexpr int veil = 170;       // of 255, over what does not count
+constexpr double wheelNotch = 120.0, notchZoom = 1.25;
 constexpr int pageSteps = 5, allSteps = 1000;
-
-FigureTheme screenTheme() {
-  const Theme& theme = Theme::current();
-  FigureTheme colors = *FigureTheme::find(theme.kind == Theme::Kind::Dark ? "dark" : "light");
-  colors.background = theme.panel;
-  return colors;
-}
 
 double valueAt(const AxisScale& scale, double fraction) {
   const double t = std::clamp(fraction, 0.0, 1.0);
@@ -56,8 +51,14 @@ void FigureView::setMarked(std::optional<double> x) {
   update();
 }
 
+void FigureView::setBand(std::optional<std::pair<double, double>> band) {
+  band_ = band;
+  update();
+}
+
 void FigureView::layOut() {
   painter_.reset();
+  picture_ = QPixmap();
   if (!figure_.panels.empty())
     painter_ = std::make_unique<FigurePainter>(figure_, screenTheme(), width() * millimetresPerPixel, height() * millimetresPerPixel);
   update();
@@ -75,11 +76,38 @@ void FigureView::paintEvent(QPaintEvent*) {
     painter.drawText(rect().adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap, hint_);
     return;
   }
+  paintFigure(painter);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.scale(1.0 / unitsPerPixel, 1.0 / unitsPerPixel);
-  painter_->paint(painter);
-  if (!marked_) return;
-  for (const ChartPainter& panel : painter_->panels()) paintMarker(painter, panel);
+  for (const ChartPainter& panel : painter_->panels()) {
+    if (band_) paintBand(painter, panel);
+    if (marked_) paintMarker(painter, panel);
+  }
+}
+
+void FigureView::paintFigure(QPainter& painter) {
+  if (picture_.isNull()) {
+    picture_ = QPixmap(size() * devicePixelRatioF());
+    picture_.setDevicePixelRatio(devicePixelRatioF());
+    picture_.fill(Theme::current().panel);
+    QPainter once(&picture_);
+    once.setRenderHint(QPainter::Antialiasing);
+    once.scale(1.0 / unitsPerPixel, 1.0 / unitsPerPixel);
+    painter_->paint(once);
+  }
+  painter.drawPixmap(0, 0, picture_);
+}
+
+void FigureView::paintBand(QPainter& painter, const ChartPainter& panel) const {
+  const QRectF& plot = panel.plot();
+  const auto at = [&](double x) { return std::clamp(panel.position(x, 1.0).x(), plot.left(), plot.right()); };
+  const double left = at(band_->first), right = at(band_->second);
+  QColor color = Theme::current().panel;
+  color.setAlpha(veil);
+  painter.fillRect(QRectF(QPointF(plot.left() + 1.0, plot.top()), QPointF(left, plot.bottom() - 1.0)), color);
+  painter.fillRect(QRectF(QPointF(right, plot.top()), QPointF(plot.right(), plot.bottom() - 1.0)), color);
+  painter.setPen(QPen(Theme::current().accent, unitsPerPixel));
+  for (double x : {left, right}) painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
 }
 
 void FigureView::paintMarker(QPainter& painter, const ChartPainter& panel) const {
@@ -106,9 +134,8 @@ void FigureView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-/// The panel is that above or below the pointer; beyond the ends of an axis its ends are picked.
-void FigureView::pickAt(const QPointF& pixel) {
-  if (!painter_) return;
+/// The panel is that above or below the pointer; beyond the ends of an axis its ends are picked. There must be one.
+double FigureView::valueUnder(const QPointF& pixel) const {
   const QPointF at = pixel * unitsPerPixel;
   const ChartPainter* nearest = nullptr;
   double least = 1e300;
@@ -120,15 +147,30 @@ void FigureView::pickAt(const QPointF& pixel) {
     least = dx + dy;
     nearest = &panel;
   }
-  emit picked(valueAt(nearest->xScale(), (at.x() - nearest->plot().left()) / nearest->plot().width()));
+  return valueAt(nearest->xScale(), (at.x() - nearest->plot().left()) / nearest->plot().width());
+}
+
+void FigureView::pickAt(const QPointF& pixel) {
+  const double value = valueUnder(pixel);
+  bandStart_ ? emit bandDragged(*bandStart_, value) : emit picked(value);
 }
 
 void FigureView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) pickAt(event->pos());
+  if (event->button() != Qt::LeftButton || !painter_) return;
+  bandStart_.reset();
+  if (event->modifiers() & Qt::ShiftModifier)
+    bandStart_ = valueUnder(event->pos());
+  else
+    pickAt(event->pos());
 }
 
 void FigureView::mouseMoveEvent(QMouseEvent* event) {
-  if (event->buttons() & Qt::LeftButton) pickAt(event->pos());
+  if (painter_ && event->buttons() & Qt::LeftButton) pickAt(event->pos());
+}
+
+void FigureView::wheelEvent(QWheelEvent* event) {
+  if (!painter_) return event->ignore();
+  emit zoomed(valueUnder(event->position()), std::pow(notchZoom, -event->angleDelta().y() / wheelNotch));
 }
 
 void FigureView::keyPressEvent(QKeyEvent* event) {

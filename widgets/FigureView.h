@@ -2,6 +2,7 @@
 
 #include "FigurePainter.h"
 
+#include <QPixmap>
 #include <QWidget>
 
 #include <memory>
@@ -31,6 +32,10 @@ class FigureView : public QWidget {
   void setMarked(std::optional<double> x);
   std::optional<double> marked() const { return marked_; }
 
+  /// The part of the panels' x that counts: all else is veiled; nothing: all counts.
+  void setBand(std::optional<std::pair<double, double>> band);
+  std::optional<std::pair<double, double>> band() const { return band_; }
+
   /// Where a pair of values of a panel lies, in pixels.
   QPointF pixelOf(int panel, double x, double y) const;
 
@@ -39,6 +44,8 @@ class FigureView : public QWidget {
 
  signals:
   void picked(double x);    ///< pressed or dragged to with the left button
+  void zoomed(double x, double factor);        ///< by the wheel, with x under the pointer; above 1: more is seen
+  void bandDragged(double from, double to);    ///< with Shift and the left button
   void stepped(int steps);  ///< by the arrow keys; Page up and down go by 5, Home and End by 1000
 
  protected:
@@ -47,18 +54,24 @@ class FigureView : public QWidget {
   void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void layOut();
+  double valueUnder(const QPointF& pixel) const;
   void pickAt(const QPointF& pixel);
+  void paintFigure(QPainter& painter);
+  void paintBand(QPainter& painter, const ChartPainter& panel) const;
   void paintMarker(QPainter& painter, const ChartPainter& panel) const;
 
   Figure figure_;
   Marker marker_;
   QString hint_;
   std::unique_ptr<FigurePainter> painter_;
-  std::optional<double> marked_;
+  QPixmap picture_;  ///< of the figure, which is slow to draw: a marker that moves is not
+  std::optional<double> marked_, bandStart_;
+  std::optional<std::pair<double, double>> band_;
 };
 
 }  // namespace mien

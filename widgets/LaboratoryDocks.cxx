@@ -1,9 +1,12 @@
 #include "LaboratoryDocks.h"
 
 #include "ContinuityPanel.h"
+#include "FAPPlotPanel.h"
 #include "FaceView.h"
 #include "SmoothingPanel.h"
 #include "SpectrumPanel.h"
+#include "TimelinePanel.h"
+#include "VectorPanel.h"
 #include "ViewFrame.h"
 
 #include <QAction>
@@ -11,23 +14,33 @@
 #include <QMainWindow>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace mien {
 
 namespace {
 
-constexpr int startHeight = 290;  // pixels: nine rows of a table, and half of a window of 800 left for the face
+constexpr int startHeight = 290;   // pixels: nine rows of a table, and half of a window of 800 left for the face
+constexpr int pictureHeight = 380;  // pixels of a dock that shows a face itself
+constexpr double pictureShare = 0.4;  // of a higher window
 
 }  // namespace
 
-LaboratoryDocks::LaboratoryDocks(FaceModel* model, FaceView* view, QMainWindow* window)
+LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, FaceView* view, QMainWindow* window)
     : QObject(window), view_(view), window_(window) {
   window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  plot_ = add("plotDock", tr("FAPs over time"), new FAPPlotPanel(model, player));
+  QDockWidget* vectors = add("vectorsDock", tr("Motion vectors"), new VectorPanel(model, view));
+  connect(vectors->toggleViewAction(), &QAction::triggered, this, [this, vectors](bool shown) {
+    const int height = std::max(pictureHeight, static_cast<int>(pictureShare * window_->height()));
+    if (shown && vectors->height() < height) window_->resizeDocks({vectors}, {height}, Qt::Vertical);
+  });
   add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
 }
 
-void LaboratoryDocks::add(const QString& name, const QString& title, QWidget* panel) {
+QDockWidget* LaboratoryDocks::add(const QString& name, const QString& title, QWidget* panel) {
   auto* dock = new QDockWidget(title, window_);
   dock->setObjectName(name);
   dock->setWidget(panel);
@@ -41,6 +54,22 @@ void LaboratoryDocks::add(const QString& name, const QString& title, QWidget* pa
     if (shown) dock->raise();
   });
   dock->hide();
+  return dock;
+}
+
+void LaboratoryDocks::addPlotButton(TimelinePanel* timeline) {
+  auto* button = new QToolButton(timeline);
+  button->setObjectName("timelinePlot");
+  button->setText(tr("Plot"));
+  button->setToolTip(tr("The FAPs of the animation over time, below"));
+  button->setCheckable(true);
+  button->setFocusPolicy(Qt::TabFocus);
+  connect(button, &QToolButton::clicked, plot_, [this](bool on) {
+    plot_->setVisible(on);
+    if (on) plot_->raise();
+  });
+  connect(plot_->toggleViewAction(), &QAction::toggled, button, &QToolButton::setChecked);
+  timeline->addButton(button);
 }
 
 void LaboratoryDocks::addSkinButton(ViewFrame* frame) {

@@ -7,25 +7,30 @@ class QMainWindow;
 
 namespace mien {
 
+class AnimationPlayer;
 class FaceModel;
 class FaceView;
+class TimelinePanel;
 class ViewFrame;
 
-/// The docks of the surface laboratory, in tabs below the face; closed until they are asked for in the View menu.
+/// The docks of the animation and of the surface laboratory, in tabs below the face; closed until they are asked for.
 class LaboratoryDocks : public QObject {
   Q_OBJECT
  public:
-  LaboratoryDocks(FaceModel* model, FaceView* view, QMainWindow* window);
+  LaboratoryDocks(FaceModel* model, AnimationPlayer* player, FaceView* view, QMainWindow* window);
 
   /// A button in the head of the face that brings the plain skin back.
   void addSkinButton(ViewFrame* frame);
 
+  /// A button in the timeline that opens and closes the plot of the FAPs.
+  void addPlotButton(TimelinePanel* timeline);
+
  private:
-  void add(const QString& name, const QString& title, QWidget* panel);
+  QDockWidget* add(const QString& name, const QString& title, QWidget* panel);
 
   FaceView* view_;
   QMainWindow* window_;
-  QDockWidget* last_ = nullptr;
+  QDockWidget *last_ = nullptr, *plot_;
 };
 
 }  // namespace mien

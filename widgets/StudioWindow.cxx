@@ -7,6 +7,7 @@
 #include "FAPPanel.h"
 #include "FaceModel.h"
 #include "LaboratoryDocks.h"
+#include "LiveStream.h"
 #include "MessageBar.h"
 #include "SurfacePanel.h"
 #include "Theme.h"
@@ -38,7 +39,8 @@ constexpr int dockWidth = 340;
 
 QString droppedFile(const QMimeData* data) {
   for (const QUrl& url : data->urls())
-    if (url.isLocalFile() && url.toLocalFile().endsWith(".fap", Qt::CaseInsensitive)) return url.toLocalFile();
+    for (const char* ending : {".fap", ".csv"})
+      if (url.isLocalFile() && url.toLocalFile().endsWith(ending, Qt::CaseInsensitive)) return url.toLocalFile();
   return {};
 }
 
@@ -46,7 +48,7 @@ QString droppedFile(const QMimeData* data) {
 
 StudioWindow::StudioWindow()
     : model_(new FaceModel(this)), player_(new AnimationPlayer(model_, this)), face_(new FaceView(model_)),
-      curves_(new CurveView(model_)), messages_(new MessageBar), laboratory_(new LaboratoryDocks(model_, face_, this)) {
+      curves_(new CurveView(model_)), messages_(new MessageBar), laboratory_(new LaboratoryDocks(model_, player_, face_, this)) {
   setObjectName("studioWindow");
   setWindowTitle(tr("Mien Studio"));
   setAcceptDrops(true);
@@ -67,6 +69,7 @@ StudioWindow::~StudioWindow() = default;
 
 QWidget* StudioWindow::centre() {
   auto* timeline = new TimelinePanel(model_, player_);
+  laboratory_->addPlotButton(timeline);
   connect(timeline, &TimelinePanel::openRequested, this, &StudioWindow::chooseAnimation);
   auto* box = new QWidget(this);
   auto* column = new QVBoxLayout(box);
@@ -223,9 +226,16 @@ bool StudioWindow::openAnimation(const QString& fileName) {
   return good;
 }
 
+void StudioWindow::playStream(int descriptor) {
+  delete stream_;
+  stream_ = new LiveStream(model_, player_, descriptor, this);
+  connect(stream_, &LiveStream::failed, messages_, &MessageBar::showError);
+  connect(stream_, &LiveStream::ended, messages_, &MessageBar::showNote);
+}
+
 void StudioWindow::chooseAnimation() {
   const QString name = QFileDialog::getOpenFileName(this, tr("Open animation"), QString(),
-                                                    tr("MPEG-4 facial animation (*.fap *.FAP);;All files (*)"));
+                                                    tr("Facial animation and capture (*.fap *.FAP *.csv *.CSV);;All files (*)"));
   if (!name.isEmpty()) openAnimation(name);
 }
 

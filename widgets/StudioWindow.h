@@ -10,6 +10,7 @@ class AnimationPlayer;
 class CurveView;
 class FaceModel;
 class LaboratoryDocks;
+class LiveStream;
 class MessageBar;
 class ViewFrame;
 
@@ -25,6 +26,7 @@ class StudioWindow : public QMainWindow {
 
  public slots:
   bool openAnimation(const QString& fileName);  ///< the message bar says what is wrong with a file that has a fault
+  void playStream(int descriptor);              ///< a .fap stream that is still being written; 0 is standard input
   void chooseAnimation();
   void playDemonstration();  ///< the animation that comes with the application
   void resetAll();           ///< the neutral face, without expression and animation
@@ -57,6 +59,7 @@ class StudioWindow : public QMainWindow {
   CurveView* curves_;
   MessageBar* messages_;
   LaboratoryDocks* laboratory_;
+  LiveStream* stream_ = nullptr;
 };
 
 }  // namespace mien

@@ -109,6 +109,9 @@ QToolButton:hover { border-color: @line; }
 QToolButton:focus { border-color: @accent; }
 QToolButton:checked { background: @accent; color: @accentText; }
 QToolButton:checked:disabled { background: @line; }
+QListWidget#plotFAPs { border: 1px solid @line; border-radius: 4px; }
+QListWidget#plotFAPs::item { color: @faint; }
+QListWidget#plotFAPs::item:selected { color: @text; background: @window; }
 QFrame#messageBar { background: @panel; border: 1px solid @line; border-radius: 6px; }
 QFrame#messageBar[severity="error"] { border-left: 4px solid @error; }
 QFrame#messageBar[severity="warning"] { border-left: 4px solid @warning; }

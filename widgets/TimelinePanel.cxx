@@ -5,6 +5,7 @@
 #include "FaceModel.h"
 #include "Icons.h"
 
+#include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -39,29 +40,36 @@ QLabel* faintLabel(QWidget* parent, const char* name) {
 
 TimelinePanel::TimelinePanel(FaceModel* model, AnimationPlayer* player, QWidget* parent)
     : QFrame(parent), model_(model), player_(player), position_(new ValueSlider(this)), frame_(new QSpinBox(this)),
-      title_(faintLabel(this, "timelineTitle")), time_(faintLabel(this, "timelineTime")) {
+      title_(faintLabel(this, "timelineTitle")), time_(faintLabel(this, "timelineTime")), rate_(faintLabel(this, "timelineRate")),
+      lower_(new QHBoxLayout) {
   setObjectName("card");
   buildButtons();
   buildPosition();
+  buildRange();
+  buildSpeed();
   auto* upper = new QHBoxLayout;
   upper->addWidget(title_, 1);
   upper->addWidget(time_);
+  upper->addWidget(rate_);
   upper->addWidget(close_);
-  auto* lower = new QHBoxLayout;
-  lower->setSpacing(2);
-  for (QWidget* widget : {open_, first_, play_, loop_}) lower->addWidget(widget);
-  lower->addSpacing(4);
-  lower->addWidget(position_, 1);
-  lower->addSpacing(4);
-  lower->addWidget(frame_);
+  lower_->setSpacing(2);
+  for (QWidget* widget : {open_, first_, play_, loop_, in_, out_}) lower_->addWidget(widget);
+  lower_->addSpacing(4);
+  lower_->addWidget(position_, 1);
+  lower_->addSpacing(4);
+  for (QWidget* widget : {static_cast<QWidget*>(frame_), static_cast<QWidget*>(speed_), static_cast<QWidget*>(smooth_)})
+    lower_->addWidget(widget);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 5, 10, 6);
   column->setSpacing(2);
   column->addLayout(upper);
-  column->addLayout(lower);
+  column->addLayout(lower_);
   connectAll();
+  connectRange();
   showAnimation();
 }
+
+void TimelinePanel::addButton(QToolButton* button) { lower_->addWidget(button); }
 
 void TimelinePanel::buildButtons() {
   open_ = toolButton(this, "timelineOpen", Symbol::Open, tr("Open a .fap animation (Ctrl+O)"));
@@ -86,6 +94,55 @@ void TimelinePanel::buildPosition() {
   frame_->setToolTip(tr("Frame, counted from 1"));
 }
 
+void TimelinePanel::buildRange() {
+  const auto make = [this](const char* name, const QString& text, const QString& tip) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    return button;
+  };
+  in_ = make("timelineIn", tr("In"), tr("The range to play begins at this frame; again: at the first"));
+  out_ = make("timelineOut", tr("Out"), tr("The range to play ends at this frame; again: at the last"));
+  smooth_ = make("timelineSmooth", tr("Interpolate"), tr("Show the face between two frames too, as their linear mixture; else only the frames of the file"));
+}
+
+void TimelinePanel::buildSpeed() {
+  speed_ = new QComboBox(this);
+  speed_->setObjectName("timelineSpeed");
+  speed_->setToolTip(tr("Speed of playing, as a multiple of the file's own"));
+  speed_->setAccessibleName(tr("Speed"));
+  for (double speed : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0}) speed_->addItem(QString("%1\u00d7").arg(speed), speed);
+  speed_->setCurrentIndex(speed_->findData(1.0));
+}
+
+void TimelinePanel::connectRange() {
+  connect(in_, &QToolButton::clicked, this, [this](bool on) {
+    const int frame = model_->frameIndex();
+    player_->setRange(on ? frame : 0, on && frame > player_->rangeEnd() ? model_->frameCount() - 1 : player_->rangeEnd());
+  });
+  connect(out_, &QToolButton::clicked, this, [this](bool on) {
+    const int frame = model_->frameIndex();
+    player_->setRange(on && frame < player_->rangeBegin() ? 0 : player_->rangeBegin(), on ? frame : model_->frameCount() - 1);
+  });
+  connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+          [this] { player_->setSpeed(speed_->currentData().toDouble()); });
+  connect(smooth_, &QToolButton::clicked, model_, &FaceModel::setInterpolating);
+  connect(player_, &AnimationPlayer::rangeChanged, this, &TimelinePanel::showRange);
+  connect(player_, &AnimationPlayer::rateMeasured, this,
+          [this](double rate) { rate_->setText(tr("(%1 shown)").arg(rate, 0, 'f', 0)); });
+  connect(player_, &AnimationPlayer::playingChanged, rate_, &QLabel::clear);
+}
+
+void TimelinePanel::showRange() {
+  const QSignalBlocker quietIn(in_), quietOut(out_);
+  in_->setChecked(player_->rangeBegin() > 0);
+  out_->setChecked(player_->rangeEnd() + 1 < model_->frameCount());
+  position_->setRangeMarks(player_->hasRange() ? std::make_optional(qMakePair(player_->rangeBegin(), player_->rangeEnd())) : std::nullopt);
+}
+
 void TimelinePanel::connectAll() {
   connect(open_, &QToolButton::clicked, this, &TimelinePanel::openRequested);
   connect(close_, &QToolButton::clicked, model_, &FaceModel::closeAnimation);
@@ -96,6 +153,7 @@ void TimelinePanel::connectAll() {
   connect(frame_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int frame) { player_->seek(frame - 1); });
   connect(player_, &AnimationPlayer::playingChanged, this, &TimelinePanel::showPlaying);
   connect(model_, &FaceModel::animationChanged, this, &TimelinePanel::showAnimation);
+  connect(model_, &FaceModel::animationGrew, this, &TimelinePanel::showAnimation);
   connect(model_, &FaceModel::stateChanged, this, &TimelinePanel::showFrame);
 }
 
@@ -106,12 +164,13 @@ void TimelinePanel::showAnimation() {
   frame_->setRange(1, qMax(1, count));
   frame_->setSuffix(count > 0 ? tr(" / %1").arg(count) : QString());
   for (QWidget* widget : {static_cast<QWidget*>(first_), static_cast<QWidget*>(play_), static_cast<QWidget*>(loop_),
-                          static_cast<QWidget*>(position_), static_cast<QWidget*>(frame_)})
+                          static_cast<QWidget*>(position_), static_cast<QWidget*>(frame_), static_cast<QWidget*>(in_),
+                          static_cast<QWidget*>(out_)})
     widget->setEnabled(count > 0);
   close_->setVisible(count > 0);
   const QFileInfo file(QString::fromStdString(model_->state().fapFile));
-  title_->setText(count > 0 ? file.fileName() : tr("No animation. Open a .fap file or drop one on the window."));
-  title_->setToolTip(count > 0 ? file.absoluteFilePath() : QString());
+  title_->setText(model_->isLive() ? tr("Live stream") : count > 0 ? file.fileName() : tr("No animation. Open a .fap file or drop one on the window."));
+  title_->setToolTip(count > 0 && !model_->isLive() ? file.absoluteFilePath() : QString());
   showFrame();
 }
 
@@ -120,12 +179,13 @@ void TimelinePanel::showFrame() {
   const QSignalBlocker quietPosition(position_), quietFrame(frame_);
   position_->setValue(frame);
   position_->setShownValue(frame);
+  smooth_->setChecked(model_->interpolates());
   frame_->setValue(frame + 1);
   const double rate = model_->framesPerSecond();
   if (rate <= 0.0) return time_->clear();
   const double end = (model_->frameCount() - 1) / rate;
   time_->setText(tr("%1 s of %2 s, %3 frames/s, frame number %4")
-                     .arg(frame / rate, 0, 'f', 2)
+                     .arg(model_->framePosition() / rate, 0, 'f', 2)
                      .arg(end, 0, 'f', 2)
                      .arg(rate)
                      .arg(model_->frameNumber()));

@@ -2,6 +2,8 @@
 
 #include <QFrame>
 
+class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QSpinBox;
 class QToolButton;
@@ -12,11 +14,15 @@ class AnimationPlayer;
 class ValueSlider;
 class FaceModel;
 
-/// Where in the animation are we? Play, pause, scrub and loop a .fap file.
+/// Where in the animation are we? Play, pause, scrub and loop a .fap file or a range of it, at any speed, with or without
+/// pictures between its frames.
 class TimelinePanel : public QFrame {
   Q_OBJECT
  public:
   TimelinePanel(FaceModel* model, AnimationPlayer* player, QWidget* parent = nullptr);
+
+  /// Adds a button for what belongs to the timeline, at its right end.
+  void addButton(QToolButton* button);
 
  signals:
   void openRequested();
@@ -24,17 +30,23 @@ class TimelinePanel : public QFrame {
  private:
   void buildButtons();
   void buildPosition();
+  void buildRange();
+  void buildSpeed();
+  void connectRange();
   void connectAll();
   void showAnimation();  ///< another file
   void showFrame();      ///< another frame
+  void showRange();
   void showPlaying(bool playing);
 
   FaceModel* model_;
   AnimationPlayer* player_;
-  QToolButton *open_, *first_, *play_, *loop_, *close_;
+  QToolButton *open_, *first_, *play_, *loop_, *close_, *in_, *out_, *smooth_;
+  QComboBox* speed_;
   ValueSlider* position_;
   QSpinBox* frame_;
-  QLabel *title_, *time_;
+  QLabel *title_, *time_, *rate_;
+  QHBoxLayout* lower_;
 };
 
 }  // namespace mien

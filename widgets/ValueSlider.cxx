@@ -26,6 +26,11 @@ void ValueSlider::setShownValue(double value) {
   update();
 }
 
+void ValueSlider::setRangeMarks(std::optional<QPair<int, int>> range) {
+  range_ = range;
+  update();
+}
+
 double ValueSlider::position(double value) const {
   const double share = (qBound<double>(minimum(), value, maximum()) - minimum()) / (maximum() - minimum());
   return handle + 1 + share * (width() - 2 * (handle + 1));
@@ -45,6 +50,8 @@ void ValueSlider::paintEvent(QPaintEvent*) {
   painter.setBrush(palette().color(QPalette::Mid));
   painter.drawRoundedRect(QRectF(1, middle - groove / 2, width() - 2, groove), groove / 2, groove / 2);
   if (minimum() < 0) painter.drawRect(QRectF(zero - 0.75, middle - handle, 1.5, 2 * handle));
+  if (range_) paintRange(painter);
+  painter.setPen(Qt::NoPen);
   painter.setBrush(palette().color(isEnabled() ? QPalette::Highlight : QPalette::Mid));
   painter.drawRect(QRectF(qMin(zero, at), middle - groove / 2, std::abs(at - zero), groove));
   if (std::lround(shown_) != value()) {
@@ -56,6 +63,18 @@ void ValueSlider::paintEvent(QPaintEvent*) {
   painter.setPen(QPen(palette().color(!isEnabled() ? QPalette::Mid : hasFocus() || isSliderDown() ? QPalette::Highlight : QPalette::PlaceholderText),
                       hasFocus() ? 2.2 : 1.4));
   painter.drawEllipse(QPointF(at, middle), handle - 1, handle - 1);
+}
+
+void ValueSlider::paintRange(QPainter& painter) const {
+  const double left = position(range_->first), right = position(range_->second), middle = height() / 2.0, serif = 3.0;
+  QColor color = palette().color(QPalette::Highlight);
+  painter.setPen(QPen(color, 1.6));
+  painter.setBrush(Qt::NoBrush);
+  const double top = middle - handle - 1, bottom = middle + handle + 1;
+  painter.drawPolyline(QPolygonF({{left + serif, top}, {left, top}, {left, bottom}, {left + serif, bottom}}));
+  painter.drawPolyline(QPolygonF({{right - serif, top}, {right, top}, {right, bottom}, {right - serif, bottom}}));
+  color.setAlpha(60);
+  painter.fillRect(QRectF(left, middle - groove, right - left, 2 * groove), color);
 }
 
 void ValueSlider::mousePressEvent(QMouseEvent* event) {

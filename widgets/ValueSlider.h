@@ -1,6 +1,9 @@
 #pragma once
 
+#include <QPair>
 #include <QSlider>
+
+#include <optional>
 
 namespace mien {
 
@@ -13,6 +16,7 @@ class ValueSlider : public QSlider {
 
   void setShownValue(double value);  ///< where the mark is
   double shownValue() const { return shown_; }
+  void setRangeMarks(std::optional<QPair<int, int>> range);  ///< brackets around some of the values
   void setDoubleClickResets(bool resets) { doubleClickResets_ = resets; }  ///< to 0; default off
   QSize sizeHint() const override { return {160, 20}; }
   QSize minimumSizeHint() const override { return {60, 20}; }
@@ -26,10 +30,12 @@ class ValueSlider : public QSlider {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
+  void paintRange(QPainter& painter) const;
   double position(double value) const;  ///< in pixels
   int valueAt(double x) const;
 
   double shown_ = 0.0;
+  std::optional<QPair<int, int>> range_;
   bool doubleClickResets_ = false;
 };
 

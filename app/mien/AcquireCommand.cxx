@@ -1,52 +1,201 @@
 #include "Acquire.h"
+#include "Arguments.h"
 #include "Command.h"
 #include "Failure.h"
+#include "Interruption.h"
+#include "LengthUnit.h"
 #include "OutputFile.h"
+#include "ProgressLine.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
+#include <cstdio>
+#include <iostream>
 #include <memory>
+#include <optional>
 
 namespace mien {
 
 namespace {
 
+using json = nlohmann::ordered_json;
+
 constexpr int smallestCurve = 8, largestCurve = 4096;  // points
+constexpr int progressSteps = 1000;
+
+struct Options {
+  AcquireOptions acquire;
+  std::string units, scale, pose = "auto";
+  bool json = false;
+};
+
+double scaleOf(const Options& options) {
+  if (!options.scale.empty()) {
+    const double scale = parseNumber("--scale", options.scale);
+    if (!(scale > 0.0)) throw ValueFailure("--scale " + options.scale + " is not allowed; it is the number of mm in one unit, above 0");
+    return scale;
+  }
+  if (options.units.empty()) return 0.0;
+  const LengthUnit* unit = lengthUnit(options.units);
+  if (!unit) throw ValueFailure("--units '" + options.units + "' is unknown; it is mm, cm, m or inch");
+  return unit->millimetres;
+}
+
+ScanSettings::Pose poseOf(const std::string& name) {
+  if (name == "auto") return ScanSettings::Pose::Automatic;
+  if (name == "keep") return ScanSettings::Pose::Kept;
+  if (name == "move") return ScanSettings::Pose::Moved;
+  throw ValueFailure("--pose '" + name + "' is unknown; it is auto, keep or move");
+}
 
 void check(const AcquireOptions& options) {
   requireEnding(options.outputFile, {"vtp"});
+  if (!options.landmarkOutput.empty()) requireEnding(options.landmarkOutput, {"csv"});
+  if (!options.scanOutput.empty()) requireEnding(options.scanOutput, {"vtp"});
   if (options.scans.size() > 1 && !options.mean)
     throw ValueFailure("several scans make one face only as their mean; add --mean, or give one scan");
-  const int k = options.pointsPerCurve;
+  if (options.scans.size() > 1 && !options.scanOutput.empty())
+    throw ValueFailure("--scan-output takes one scan; give one, or leave the option out");
+  const int k = options.scan.pointsPerCurve;
   if (k < smallestCurve || k > largestCurve || k % 2 != 0)
     throw ValueFailure("--points " + std::to_string(k) + " is not allowed; it is an even number from " +
                        std::to_string(smallestCurve) + " to " + std::to_string(largestCurve));
+  if (options.triangles != 0 && options.triangles < 1000)
+    throw ValueFailure("--decimate " + std::to_string(options.triangles) + " is not allowed; it is 1000 triangles or more");
 }
 
-void run(const AcquireOptions& given) {
-  check(given);
-  OutputFile file(given.outputFile);
-  AcquireOptions options = given;
-  options.outputFile = file.temporaryName();
-  const std::string fault = acquire(options);
+json matrixOf(const Similarity& motion) {
+  json rows = json::array();
+  for (int r = 0; r < 3; ++r) {
+    const Eigen::RowVector3d row = motion.scale * motion.rotation.row(r);
+    rows.push_back({row[0], row[1], row[2], motion.translation[r]});
+  }
+  rows.push_back({0.0, 0.0, 0.0, 1.0});
+  return rows;
+}
+
+json jsonOf(const AcquireResult& result) {
+  const ScanReport& r = result.report;
+  json object = {{"scan", result.scan},
+                 {"unit", r.unit.empty() ? json(nullptr) : json(r.unit)},
+                 {"mm_per_unit", r.millimetres},
+                 {"unit_recognised", r.unitRecognised},
+                 {"eye_distance_mm", r.eyes},
+                 {"pose", r.moved ? "moved" : "kept"},
+                 {"turned_degrees", r.turned * 180.0 / M_PI},
+                 {"scan_to_face", matrixOf(r.scanToFace)},
+                 {"triangles", r.triangles},
+                 {"merged_vertices", r.mergedVertices},
+                 {"degenerate_triangles", r.degenerateTriangles},
+                 {"parts", r.parts},
+                 {"dropped_parts", r.droppedParts},
+                 {"holes", r.holes},
+                 {"landmarks", r.landmarksGiven ? "given" : "fitted"},
+                 {"completed_landmarks", r.completedLandmarks}};
+  if (r.fitted) object["fit"] = {{"rms_mm", r.fitDistance}, {"relief", r.fitRelief}, {"size", r.fitSize}};
+  if (r.fitted && r.landmarksGiven) object["landmark_residual"] = {{"rms_mm", r.landmarkRMS}, {"max_mm", r.landmarkMaximum}};
+  object["frontal_distance"] = {{"rms_mm", result.frontalRMS}, {"max_mm", result.frontalMaximum}};
+  object["crossings"] = result.crossings;
+  return object;
+}
+
+void print(const AcquireResult& result) {
+  const ScanReport& r = result.report;
+  std::printf("%s\n", result.scan.c_str());
+  std::printf("  unit       %s%s (1 unit is %g mm; outer eye corners %.1f mm apart)\n", r.unit.empty() ? "of --scale" : r.unit.c_str(),
+              r.unitRecognised ? ", recognised" : ", given", r.millimetres, r.eyes);
+  std::printf("  pose       %s, %.1f degrees from the generic face's\n", r.moved ? "moved onto the generic face" : "kept as it is", r.turned * 180.0 / M_PI);
+  std::printf("  mesh       %d triangles, %d holes and rims; %d of %d parts left out, %d vertices merged, %d triangles without area\n", r.triangles, r.holes,
+              r.droppedParts, r.parts, r.mergedVertices, r.degenerateTriangles);
+  std::printf("  landmarks  %s", r.landmarksGiven ? "given" : "fitted");
+  if (r.completedLandmarks > 0) std::printf(", %d of 68 completed from the generic face", r.completedLandmarks);
+  if (r.fitted && r.landmarksGiven) std::printf("; fitted ones lie %.2f mm RMS from them, at most %.2f", r.landmarkRMS, r.landmarkMaximum);
+  std::printf("\n");
+  if (r.fitted)
+    std::printf("  fit        generic face %.2f mm RMS from the scan before bending, relief agrees by %.2f, size %.2f\n", r.fitDistance, r.fitRelief, r.fitSize);
+  std::printf("  distance   frontal spline face to scan %.3f mm RMS, at most %.2f\n", result.frontalRMS, result.frontalMaximum);
+  std::printf("  crossings  %d\n", result.crossings);
+}
+
+/// What was assumed is said without --report as well.
+void remark(const AcquireResult& result) {
+  const ScanReport& r = result.report;
+  if (r.unitRecognised && r.unit != "mm")
+    std::cerr << "mien: " << result.scan << ": lengths are taken as " << lengthUnit(r.unit)->fullName << ", which puts the outer eye corners "
+              << std::lround(r.eyes) << " mm apart; --units says otherwise\n";
+  if (r.moved) std::cerr << "mien: " << result.scan << ": the head was moved onto the generic face; --pose keep leaves it where it is\n";
+  if (!r.landmarksGiven)
+    std::cerr << "mien: " << result.scan << ": landmarks were fitted; --landmark-output writes them, so that they can be mended\n";
+}
+
+void deliver(const Options& options, const std::vector<AcquireResult>& results) {
+  json all = json::array();
+  for (const AcquireResult& result : results) {
+    remark(result);
+    if (options.json) all.push_back(jsonOf(result));
+    else if (options.acquire.report) print(result);
+  }
+  if (options.json) std::cout << all.dump(2) << "\n";
+}
+
+void run(const Options& given) {
+  AcquireOptions options = given.acquire;
+  check(options);
+  options.scan.millimetres = scaleOf(given);
+  options.scan.pose = poseOf(given.pose);
+  options.report = options.report || given.json;
+  OutputFile curves(options.outputFile);
+  std::optional<OutputFile> landmarks, scan;
+  options.outputFile = curves.temporaryName();
+  if (!options.landmarkOutput.empty()) options.landmarkOutput = landmarks.emplace(options.landmarkOutput).temporaryName();
+  if (!options.scanOutput.empty()) options.scanOutput = scan.emplace(options.scanOutput).temporaryName();
+  noteInterruptions();
+  std::vector<AcquireResult> results;
+  std::string fault;
+  {
+    ProgressLine line(progressSteps, "part");
+    fault = acquire(options, &results, [&](double done) {
+      line.show(static_cast<int>(progressSteps * done));
+      return !wasInterrupted();
+    });
+  }
+  if (wasInterrupted()) throw Stopped("stopped before the curves were measured; nothing was written");
   if (!fault.empty()) throw FileFailure(fault);
-  file.commit();
+  if (landmarks) landmarks->commit();
+  if (scan) scan->commit();
+  curves.commit();
+  deliver(given, results);
 }
 
 }  // namespace
 
 void addAcquireCommand(CLI::App& program) {
-  const auto options = std::make_shared<AcquireOptions>();
+  const auto options = std::make_shared<Options>();
+  AcquireOptions& acquire = options->acquire;
   CLI::App* command = program.add_subcommand("acquire", "Measure the boundary curves of a face from scans of heads");
-  command->add_option("scans", options->scans, "Scans in mm: .ply .obj .stl .off; +x the subject's left, +z forward")->required();
-  command->add_option("--landmarks", options->landmarkFile,
-                      "68 landmarks, FILE.csv with the columns landmark,vertex or landmark,x,y,z; serves all scans")
-      ->required();
-  command->add_flag("--mean", options->mean, "The symmetric mean of all scans");
-  command->add_option("--points", options->pointsPerCurve, "Points per curve, even")->capture_default_str();
-  command->add_option("-o,--output", options->outputFile, "File to write: .vtp")->required();
+  command->add_option("scans", acquire.scans, "Scans of whole heads in any unit and pose: .ply .obj .stl .off")->required();
+  command->add_option("--landmarks", acquire.landmarkFile,
+                      "FILE.csv with the columns landmark,vertex or landmark,x,y,z; serves all scans [found by fitting the generic face]");
+  command->add_option("--units", options->units, "What the scan's lengths are in: mm, cm, m or inch [recognised]");
+  command->add_option("--scale", options->scale, "Millimetres in one unit of the scan")->excludes("--units");
+  command->add_option("--pose", options->pose, "auto: upright heads stay, others are moved onto the generic face; keep; move")->capture_default_str();
+  command->add_option("--decimate", acquire.triangles, "Triangles left before measuring, by quadric error [all]");
+  command->add_flag("--all-parts", acquire.scan.allParts, "Loose parts count too, not only the largest and the eyeballs");
+  command->add_flag("--mean", acquire.mean, "The symmetric mean of all scans");
+  command->add_option("--points", acquire.scan.pointsPerCurve, "Points per curve, even")->capture_default_str();
+  command->add_flag("--report", acquire.report, "Print unit, pose, residuals, distance to the scan, holes and crossings");
+  command->add_flag("--json", options->json, "The report as JSON");
+  command->add_option("-o,--output", acquire.outputFile, "File to write: .vtp")->required();
+  command->add_option("--landmark-output", acquire.landmarkOutput, "The landmarks in the frame of the curves, .csv");
+  command->add_option("--scan-output", acquire.scanOutput, "The scan in the frame of the curves, mm, .vtp");
   command->footer(
-      "Example: mien acquire anna.ply --landmarks anna68.csv -o anna.vtp\n"
+      "Landmarks are the 68 of Multi-PIE, numbered 0 .. 67 (0-16 jaw, 17-26 brows, 27-35 nose, 36-47 eyes, 48-67 lips, from the\n"
+      "subject's right). Twelve must be given, by number or name, the others are completed:\n"
+      "  8 chin, 27 nose_bridge, 30 nose_tip, 33 nose_base, 36 right_eye_outer, 39 right_eye_inner, 42 left_eye_inner,\n"
+      "  45 left_eye_outer, 48 right_mouth_corner, 51 upper_lip, 54 left_mouth_corner, 57 lower_lip.\n"
+      "Example: mien acquire anna.ply -o anna.vtp --report\n"
+      "         mien acquire anna.obj --landmarks anna68.csv --units cm -o anna.vtp\n"
       "         mien acquire heads/*.ply --landmarks landmarks68.csv --mean -o mean.vtp");
   command->callback([options] { run(*options); });
 }

@@ -1,13 +1,15 @@
 #include "AnimationFrames.h"
-#include "Arguments.h"
 #include "Command.h"
 #include "ContactSheet.h"
+#include "CsvText.h"
 #include "DataFile.h"
+#include "FAPLiveInput.h"
 #include "FAPSequence.h"
 #include "FaceOptions.h"
 #include "FacePipeline.h"
 #include "FaceScene.h"
 #include "Failure.h"
+#include "FrameOptions.h"
 #include "FrameSink.h"
 #include "Interruption.h"
 #include "OutputFile.h"
@@ -29,17 +31,22 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace mien {
 
 namespace {
 
+constexpr int pollInterval = 100;   // ms between looks at Ctrl-C
 constexpr int samplesOfFrames = 2;  // along each side of a pixel; a film has many pixels and moves
 
 struct Options {
   FaceOptions face;
   RenderOptions picture{"640x800"};
-  std::string file, output, sheet, fps, range;
+  std::string file, output, sheet, series = "vts";
+  FrameOptions frames;
+
+  bool isLive() const { return file == "-"; }
 };
 
 /// A name without an ending is a folder.
@@ -48,8 +55,12 @@ bool isFolder(const std::string& name) { return fileEnding(name).empty() || name
 void checkOutputs(const Options& options) {
   if (options.output.empty() && options.sheet.empty())
     throw ValueFailure("there is nothing to write; give -o, --contact-sheet or both");
-  if (!options.output.empty() && !isFolder(options.output)) requireEnding(options.output, {"pvd", "ogv", "mp4"});
+  if (!options.output.empty() && !isFolder(options.output)) requireEnding(options.output, animationEndings());
   if (!options.sheet.empty()) requireEnding(options.sheet, {"png"});
+  if (options.series != "vts" && options.series != "vtp")
+    throw ValueFailure("--series '" + options.series + "' is no kind of surface; there are vts and vtp");
+  if (options.isLive() && (options.frames.areChosen() || !options.sheet.empty()))
+    throw ValueFailure("standard input is played as it comes; --range, --start, --end, --loop, --fps and --contact-sheet need a file");
 }
 
 std::string animationFile(const Options& options) {
@@ -58,16 +69,11 @@ std::string animationFile(const Options& options) {
   return file;
 }
 
-double parseRate(const std::string& text) {
-  const double rate = text.empty() ? 0.0 : parseNumber("--fps", text);
-  if (!text.empty() && !(rate > 0.0 && rate <= 1000.0)) throw ValueFailure("--fps " + text + " is outside 0 < fps <= 1000");
-  return rate;
-}
-
-std::unique_ptr<FrameSink> makeSink(const std::string& output, double framesPerSecond) {
+std::unique_ptr<FrameSink> makeSink(const Options& options, double framesPerSecond) {
+  const std::string& output = options.output;
   if (output.empty()) return nullptr;
   if (isFolder(output)) return makePictureFolderSink(output);
-  return fileEnding(output) == "pvd" ? makeSurfaceSeriesSink(output) : makeMovieSink(output, framesPerSecond);
+  return fileEnding(output) == "pvd" ? makeSurfaceSeriesSink(output, options.series) : makeMovieSink(output, framesPerSecond);
 }
 
 /// One animation on its way to its sink and its contact sheet.
@@ -76,19 +82,25 @@ class Animation {
   explicit Animation(const Options& options) : options_(options), style_(options.picture.style()) {
     FaceOptions face = options.face;
     if (fileEnding(options.output) != "pvd") options.picture.chooseResolution(face);
-    face.setAnimation(animationFile(options));
     style_.samples = samplesOfFrames;
+    if (!options.isLive()) face.setAnimation(animationFile(options));
     face.apply(pipeline_);
-    const double rate = parseRate(options.fps);
-    const FAPSequence& sequence = pipeline_.frames()->GetSequence();
-    frames_ = chooseFrames(sequence, options.range, rate);
-    sink_ = makeSink(options.output, rate > 0.0 ? rate : sequence.framesPerSecond);
-    if (!options.sheet.empty()) prepareSheet();
-    if (sheet_ || (sink_ && sink_->needsPictures())) prepareScene();
+    options.isLive() ? waitForStream() : prepareFile();
   }
 
   /// Throws Stopped when the user interrupts it; what is finished then stays.
-  void run() {
+  void run() { options_.isLive() ? runStream() : runFile(); }
+
+ private:
+  void prepareFile() {
+    const FAPSequence& sequence = pipeline_.frames()->GetSequence();
+    frames_ = chooseFrames(sequence, options_.frames);
+    sink_ = makeSink(options_, rateOf(sequence, options_.frames));
+    if (!options_.sheet.empty()) prepareSheet();
+    if (sheet_ || (sink_ && sink_->needsPictures())) prepareScene();
+  }
+
+  void runFile() {
     noteInterruptions();
     int done = 0;
     {
@@ -101,7 +113,56 @@ class Animation {
     finish(done == static_cast<int>(frames_.size()), done);
   }
 
- private:
+  /// Until the first frame of standard input is there, or its end.
+  void waitForStream() {
+    noteInterruptions();
+    while (arrived_.empty() && input_.wait(pollInterval, arrived_) == FAPLiveInput::State::Open)
+      if (wasInterrupted()) throw Stopped("stopped before the first frame");
+    if (arrived_.empty()) throw FileFailure(input_.fault());
+    sink_ = makeSink(options_, input_.sequence().framesPerSecond);
+    if (sink_->needsPictures()) showCurves(animatedPoints(pipeline_));
+  }
+
+  /// Each frame as soon as it has come. What is finished stays when the stream turns out to be wrong.
+  void runStream() {
+    int done = 0;
+    FAPLiveInput::State state = FAPLiveInput::State::Open;
+    ProgressLine progress(0);
+    while (!wasInterrupted() && (state == FAPLiveInput::State::Open || !arrived_.empty())) {
+      for (const FAPFrame& frame : std::exchange(arrived_, {})) {
+        if (wasInterrupted()) break;
+        progress.show(done);
+        addStreamFrame(frame, done++);
+      }
+      if (state == FAPLiveInput::State::Open) state = input_.wait(pollInterval, arrived_);
+    }
+    for (const FAPWarning& warning : input_.sequence().warnings)
+      std::cerr << "mien: standard input:" << warning.line << ": " << warning.message << "\n";
+    if (state == FAPLiveInput::State::Failed) {
+      const std::string result = sink_->finish(false);
+      throw FileFailure(input_.fault() + "; there are " + result);
+    }
+    finish(!wasInterrupted(), done);
+  }
+
+  void addStreamFrame(const FAPFrame& frame, int index) {
+    const double rate = input_.sequence().framesPerSecond, time = index / rate;
+    pipeline_.frames()->StartStream(rate, input_.sequence().name);
+    pipeline_.frames()->AppendFrame(frame);
+    FaceState state = pipeline_.state();
+    state.fapFile = "-";
+    pipeline_.setState(state);
+    updateOrThrow(pipeline_);
+    const vtkSmartPointer<vtkImageData> image = sink_->needsPictures() ? scene_->render() : nullptr;
+    sink_->add({FaceState::FrameChoice::Index, 0.0, time, "frame " + shortestText(frame.number)}, pipeline_.face()->GetOutput(), image);
+  }
+
+  static vtkSmartPointer<vtkPoints> animatedPoints(FacePipeline& pipeline) {
+    const std::string fault = pipeline.updateCurves();
+    if (!fault.empty()) throw FileFailure(fault);
+    return vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0))->GetPoints();
+  }
+
   void show(const AnimationFrame& frame) {
     FaceState state = pipeline_.state();
     state.frameChoice = frame.choice;
@@ -120,11 +181,13 @@ class Animation {
     vtkNew<vtkPoints> visited;
     for (const AnimationFrame& frame : frames_) {
       show(frame);
-      const std::string fault = pipeline_.updateCurves();
-      if (!fault.empty()) throw FileFailure(fault);
-      auto* curves = vtkPolyData::SafeDownCast(pipeline_.curves()->GetOutputDataObject(0));
-      visited->InsertPoints(visited->GetNumberOfPoints(), curves->GetNumberOfPoints(), 0, curves->GetPoints());
+      const vtkSmartPointer<vtkPoints> points = animatedPoints(pipeline_);
+      visited->InsertPoints(visited->GetNumberOfPoints(), points->GetNumberOfPoints(), 0, points);
     }
+    showCurves(visited);
+  }
+
+  void showCurves(vtkPoints* visited) {
     vtkNew<vtkPolyData> all;
     all->SetPoints(visited);
     updateOrThrow(pipeline_);
@@ -148,7 +211,8 @@ class Animation {
     if (sheet_ && complete) sheet_->write(options_.sheet);
     printRemarks(pipeline_);
     if (!complete)
-      throw Stopped("stopped after " + std::to_string(done) + " of " + std::to_string(frames_.size()) + " frames" +
+      throw Stopped("stopped after " + std::to_string(done) +
+                    (options_.isLive() ? "" : " of " + std::to_string(frames_.size())) + " frames" +
                     (result.empty() ? "" : "; there are " + result));
     if (sink_) std::cout << result << "\n";
     if (sheet_) std::cout << "contact sheet in " << options_.sheet << "\n";
@@ -157,6 +221,8 @@ class Animation {
   const Options& options_;
   SceneStyle style_;
   FacePipeline pipeline_;
+  FAPLiveInput input_;
+  std::vector<FAPFrame> arrived_;  ///< of the stream, not shown yet
   std::vector<AnimationFrame> frames_;
   std::unique_ptr<FrameSink> sink_;
   std::optional<ContactSheet> sheet_;
@@ -175,16 +241,19 @@ void run(const Options& options) {
 void addAnimateCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("animate", "Play an animation into pictures, surfaces or a film");
-  command->add_option("file", options->file, "Facial animation parameters, FILE.fap [the bundled animation]");
-  command->add_option("-o,--output", options->output, "Folder of .png frames, or a file: .pvd .ogv .mp4");
+  command->add_option("file", options->file, "FILE.fap or .csv; - is a .fap stream on standard input [the bundled animation]");
+  command->add_option("-o,--output", options->output, "Folder of .png frames, or a file: .pvd .ogv, with ffmpeg .mp4 .webm .gif ..");
   command->add_option("--contact-sheet", options->sheet, "Evenly chosen frames side by side, FILE.png");
-  command->add_option("--range", options->range, "FIRST:LAST, frame numbers as written in the file [all]");
-  command->add_option("--fps", options->fps, "Moments per second, mixed from the frames around them [the frames]");
+  command->add_option("--series", options->series, "Surfaces of a .pvd: vts, grids, or vtp, polygons without the slit of the mouth [vts]");
+  options->frames.addTo(*command);
   options->picture.addTo(*command);
   options->face.addSurfaceOptions(*command);
+  options->face.addTextureOptions(*command);
   command->footer(
       "Example: mien animate speech.fap -o frames/ --contact-sheet sheet.png\n"
       "         mien animate speech.fap --scheme tangent --view 45 -o speech.ogv\n"
+      "         mien animate speech.fap --start 1.5 --end 4 --fps 60 --loop 3 -o speech.mp4\n"
+      "         capture | mien animate - -o frames/\n"
       "Ctrl-C stops between two frames and leaves finished files only.");
   command->callback([options] { run(*options); });
 }

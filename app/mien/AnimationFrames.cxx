@@ -4,8 +4,10 @@
 #include "CsvText.h"
 #include "FAPSequence.h"
 #include "Failure.h"
+#include "FrameOptions.h"
 #include "InfoText.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +16,7 @@ namespace mien {
 namespace {
 
 constexpr double mostFrames = 1e6;
+constexpr double timeTolerance = 1e-6;  // s, and of a step
 
 struct Range {
   double first = -std::numeric_limits<double>::infinity(), last = std::numeric_limits<double>::infinity();
@@ -43,28 +46,65 @@ std::string caption(const FAPSequence& sequence, double time) {
   return "frame " + shortestText(sequence.frames[sequence.indexAtTime(time)].number) + "   " + twoDigits(time) + " s";
 }
 
-std::vector<AnimationFrame> resampled(const FAPSequence& sequence, double begin, double end, double rate) {
-  const double count = std::floor((end - begin) * rate + 1e-6) + 1.0;
+/// Begin and end in s, by frame numbers and by times.
+struct Times {
+  double begin, end;
+};
+
+Times chooseTimes(const FAPSequence& sequence, const FrameOptions& options) {
+  const std::vector<size_t> indices = indicesWithin(sequence, options.range);
+  Times times{sequence.timeOfFrame(indices.front()), sequence.timeOfFrame(indices.back())};
+  if (!options.start.empty()) times.begin = std::max(times.begin, parseNumber("--start", options.start));
+  if (!options.end.empty()) times.end = std::min(times.end, parseNumber("--end", options.end));
+  if (times.begin > times.end + timeTolerance)
+    throw ValueFailure("--start and --end hold no frame; the animation lasts from 0 to " + shortestText(sequence.duration()) + " s");
+  return times;
+}
+
+std::vector<AnimationFrame> resampled(const FAPSequence& sequence, const Times& times, double rate) {
+  const double count = std::floor((times.end - times.begin) * rate + timeTolerance) + 1.0;
   if (count > mostFrames) throw ValueFailure("--fps " + shortestText(rate) + " makes more than a million frames");
   std::vector<AnimationFrame> frames;
   for (int i = 0; i < static_cast<int>(count); ++i) {
-    const double time = begin + i / rate;
+    const double time = times.begin + i / rate;
     frames.push_back({FaceState::FrameChoice::Time, time, time, caption(sequence, time)});
   }
   return frames;
 }
 
+std::vector<AnimationFrame> asWritten(const FAPSequence& sequence, const Times& times, const std::string& range) {
+  std::vector<AnimationFrame> frames;
+  for (const size_t index : indicesWithin(sequence, range)) {
+    const double time = sequence.timeOfFrame(index);
+    if (time >= times.begin - timeTolerance && time <= times.end + timeTolerance)
+      frames.push_back({FaceState::FrameChoice::Index, static_cast<double>(index), time, caption(sequence, time)});
+  }
+  if (frames.empty()) throw ValueFailure("--start and --end lie between two frames; give --fps to mix frames there");
+  return frames;
+}
+
 }  // namespace
 
-std::vector<AnimationFrame> chooseFrames(const FAPSequence& sequence, const std::string& range, double rate) {
-  const std::vector<size_t> indices = indicesWithin(sequence, range);
-  if (rate > 0.0)
-    return resampled(sequence, sequence.timeOfFrame(indices.front()), sequence.timeOfFrame(indices.back()), rate);
-  std::vector<AnimationFrame> frames;
-  for (const size_t index : indices) {
-    const double time = sequence.timeOfFrame(index);
-    frames.push_back({FaceState::FrameChoice::Index, static_cast<double>(index), time, caption(sequence, time)});
-  }
+double rateOf(const FAPSequence& sequence, const FrameOptions& options) {
+  const double rate = options.rate();
+  return rate > 0.0 ? rate : sequence.framesPerSecond;
+}
+
+std::vector<AnimationFrame> chooseFrames(const FAPSequence& sequence, const FrameOptions& options) {
+  const Times times = chooseTimes(sequence, options);
+  const double rate = options.rate();
+  std::vector<AnimationFrame> frames =
+      rate > 0.0 ? resampled(sequence, times, rate) : asWritten(sequence, times, options.range);
+  const int repetitions = options.repetitions();
+  const size_t count = frames.size();
+  if (static_cast<double>(count) * repetitions > mostFrames)
+    throw ValueFailure("--loop " + options.loop + " makes more than a million frames");
+  const double period = frames.back().time - frames.front().time + 1.0 / rateOf(sequence, options);
+  for (int repetition = 1; repetition < repetitions; ++repetition)
+    for (size_t i = 0; i < count; ++i) {
+      frames.push_back(frames[i]);
+      frames.back().time += repetition * period;
+    }
   return frames;
 }
 

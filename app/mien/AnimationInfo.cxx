@@ -26,6 +26,7 @@ json describeAnimation(const std::string& file) {
   const FAPSequence& sequence = reader->GetSequence();
   json description;
   description["file"] = file;
+  description["format"] = reader->GetFormat();
   description["version"] = sequence.version;
   description["name"] = sequence.name;
   description["fps"] = sequence.framesPerSecond;
@@ -53,6 +54,7 @@ std::string textOf(const json& value) {
 void printAnimation(const json& animation) {
   const auto text = [&](const char* key) { return textOf(animation[key]); };
   printLine("animation", text("file"));
+  printLine("format", text("format"));
   printLine("version", text("version").empty() ? "none given" : text("version"));
   printLine("name", text("name").empty() ? "none given" : text("name"));
   printLine("frames", text("frames") + " at " + text("fps") + " per second, the last at " + twoDigits(animation["duration"]) + " s");

@@ -34,6 +34,13 @@ int parseWholeNumber(const std::string& option, const std::string& text) {
   return value;
 }
 
+double parseMillimetres(const std::string& option, const std::string& text) {
+  const bool hasUnit = text.size() > 2 && text.compare(text.size() - 2, 2, "mm") == 0;
+  const double value = parseNumber(option, hasUnit ? text.substr(0, text.size() - 2) : text);
+  if (!(value > 0.0)) throw ValueFailure(option + " '" + text + "' is not above 0; write it as 0.1mm");
+  return value;
+}
+
 std::vector<std::string> splitText(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   for (const char c : text) {

@@ -14,6 +14,9 @@ double parseNumber(const std::string& option, const std::string& text);
 /// A whole number.
 int parseWholeNumber(const std::string& option, const std::string& text);
 
+/// A length above 0: "0.1mm" or "0.1".
+double parseMillimetres(const std::string& option, const std::string& text);
+
 /// The parts between separators; an empty text has one empty part.
 std::vector<std::string> splitText(const std::string& text, char separator);
 

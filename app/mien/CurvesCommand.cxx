@@ -1,5 +1,6 @@
 #include "BoundaryCurveData.h"
 #include "Command.h"
+#include "CompactFaceOutput.h"
 #include "CsvText.h"
 #include "FaceLayout.h"
 #include "FaceOptions.h"
@@ -22,6 +23,7 @@ namespace {
 
 struct Options {
   FaceOptions face;
+  CompactFaceOutput compact;
   std::string output;
 };
 
@@ -41,15 +43,21 @@ void writeTable(vtkPolyData* data, const std::string& name) {
   OutputFile::write(name, curveTable(face.curves));
 }
 
+void write(const Options& options, vtkPolyData* curves) {
+  const std::string ending = fileEnding(options.output);
+  if (ending == "csv") return writeTable(curves, options.output);
+  ending == "mienz" ? options.compact.write(curves, options.output) : writePolyData(curves, options.output);
+}
+
 void run(const Options& options) {
-  requireEnding(options.output, {"vtp", "csv"});
+  requireEnding(options.output, {"vtp", "csv", "mienz"});
+  options.compact.check();
   FacePipeline pipeline;
   options.face.apply(pipeline);
   const std::string fault = pipeline.updateCurves();
   if (!fault.empty()) throw FileFailure(fault);
   printRemarks(pipeline);
-  auto* data = vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0));
-  fileEnding(options.output) == "csv" ? writeTable(data, options.output) : writePolyData(data, options.output);
+  write(options, vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0)));
 }
 
 }  // namespace
@@ -57,11 +65,13 @@ void run(const Options& options) {
 void addCurvesCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("curves", "Write the boundary curves of a face, animated or not");
-  command->add_option("-o,--output", options->output, "File to write: .vtp .csv")->required();
+  command->add_option("-o,--output", options->output, "File to write: .vtp .csv .mienz")->required();
   options->face.addAll(*command);
+  options->compact.addTo(*command);
   command->footer(
       "Example: mien curves --fap speech.fap --time 1.5 -o curves.csv\n"
-      "A .vtp file can be given to --face; .csv has the columns curve,point,x,y,z (mm).");
+      "         mien curves --face anna.vtp --tolerance 0.1mm --name Anna -o anna.mienz\n"
+      "A .vtp file or a compact face file (.mienz, about 1 kB) can be given to --face; .csv has the columns curve,point,x,y,z (mm).");
   command->callback([options] { run(*options); });
 }
 

@@ -1,9 +1,11 @@
 #include "FaceOptions.h"
 
 #include "Arguments.h"
+#include "DataFile.h"
 #include "FacePipeline.h"
 #include "FaceScheme.h"
 #include "Failure.h"
+#include "OutputFile.h"
 
 #include <CLI/CLI.hpp>
 
@@ -12,6 +14,8 @@
 namespace mien {
 
 namespace {
+
+constexpr const char* paintedTexture = "painted";
 
 std::string schemeHelp() {
   std::string names;
@@ -25,7 +29,7 @@ void FaceOptions::addSurfaceOptions(CLI::App& command) {
   const auto add = [&](const char* name, std::string& value, const std::string& help) {
     command.add_option(name, value, help)->group("Face");
   };
-  add("--face", face_, "Boundary curves, FILE.vtp [the generic face]");
+  add("--face", face_, "Boundary curves, FILE.vtp or .mienz [the generic face]");
   add("--scheme", scheme_, schemeHelp());
   add("-a,--smoothing", smoothing_, "Smoothing parameter a, 0 < a <= 1000: one value, or nine with commas [1]");
   add("-N,--harmonics", harmonics_, "Fourier modes solved exactly, 0 .. K/2 [5]");
@@ -55,6 +59,12 @@ void FaceOptions::addAnimationOptions(CLI::App& command) {
   add("--fat", animationTable_, "What each FAP moves, TABLE.json [the table compiled in]");
 }
 
+void FaceOptions::addTextureOptions(CLI::App& command) {
+  command.add_option("--texture", texture_, "Photograph on the skin, IMAGE or IMAGE:MESH.csv; painted: the one that comes with Mien")
+      ->group("Face");
+  command.add_option("--texture-mesh", textureMesh_, "Its warp mesh, MESH.csv [the .csv beside it]")->group("Face");
+}
+
 void FaceOptions::addAll(CLI::App& command) {
   addSurfaceOptions(command);
   addAnimationOptions(command);
@@ -75,6 +85,7 @@ FaceState FaceOptions::state() const {
   fillFAPValues(state);
   fillDeformation(state);
   state.animationTable = animationTable_;
+  fillTexture(state);
   return state;
 }
 
@@ -138,6 +149,21 @@ void FaceOptions::fillFAPValues(FaceState& state) const {
   }
 }
 
+void FaceOptions::fillTexture(FaceState& state) const {
+  if (texture_.empty() && !textureMesh_.empty()) throw ValueFailure("--texture-mesh belongs to a photograph; give --texture");
+  state.texture = texture_;
+  state.textureMesh = textureMesh_;
+  const size_t colon = texture_.rfind(':');
+  if (colon != std::string::npos && fileEnding(texture_) == "csv") {
+    if (!textureMesh_.empty()) throw ValueFailure("--texture and --texture-mesh both name a mesh; give one");
+    state.texture = texture_.substr(0, colon);
+    state.textureMesh = texture_.substr(colon + 1);
+  }
+  if (state.texture != paintedTexture) return;
+  state.texture = findDataFile("textures/painted.png");
+  if (state.texture.empty()) throw FileFailure("textures/painted.png: the texture that comes with Mien is not installed; give an IMAGE");
+}
+
 void FaceOptions::fillDeformation(FaceState& state) const {
   if (!deformation_.empty())
     std::tie(state.deformation.table, state.deformation.strength) = parseWeighted("--fdt", deformation_);
@@ -145,8 +171,11 @@ void FaceOptions::fillDeformation(FaceState& state) const {
 }
 
 void FaceOptions::apply(FacePipeline& pipeline) const {
-  const FaceState state = this->state();
-  pipeline.setState(state);
+  pipeline.setState(state());
+  checkOrThrow(pipeline);
+}
+
+void checkOrThrow(FacePipeline& pipeline) {
   const std::string fileFault = pipeline.updateNeutralCurves();
   if (!fileFault.empty()) throw FileFailure(fileFault);
   const std::string valueFault = pipeline.describeValueFault();

@@ -21,6 +21,9 @@ class FaceOptions {
   /// The options of the moment: FAP file and frame, expression, values set by hand.
   void addAnimationOptions(CLI::App& command);
 
+  /// The options of the skin, for commands that draw.
+  void addTextureOptions(CLI::App& command);
+
   void addAll(CLI::App& command);
 
   /// An animation file in place of --fap.
@@ -47,15 +50,20 @@ class FaceOptions {
   void fillFrame(FaceState& state) const;
   void fillExpressions(FaceState& state) const;
   void fillFAPValues(FaceState& state) const;
+  void fillTexture(FaceState& state) const;
   void fillDeformation(FaceState& state) const;
 
   int defaultRows_ = FaceState().rows, defaultColumns_ = FaceState().columns;
   std::string defaultFace_, face_, scheme_, smoothing_, harmonics_, resolution_, derivativeStrength_, precision_;
   std::string fap_, frame_, index_, time_, expression_, set_, animationTable_;
+  std::string texture_, textureMesh_;
   std::string deformation_;
   bool hardRegions_ = false;
   bool noRemainder_ = false, uniformRows_ = false;
 };
+
+/// Reads the curves and the animation file and checks the pipeline's state against them: a FileFailure or a ValueFailure.
+void checkOrThrow(FacePipeline& pipeline);
 
 /// Brings the pipeline's surface up to date; what stops it is a FileFailure.
 void updateOrThrow(FacePipeline& pipeline);

@@ -3,11 +3,13 @@
 #include "ColorMap.h"
 #include "FaceCamera.h"
 #include "FacePipeline.h"
+#include "FaceTexture.h"
 #include "Failure.h"
 #include "Picture.h"
 #include "SmoothCurves.h"
 
 #include "vtkActor.h"
+#include "vtkBoundaryCurveReader.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkImageData.h"
@@ -22,6 +24,7 @@
 #include "vtkReverseSense.h"
 #include "vtkScalarBarActor.h"
 #include "vtkTextProperty.h"
+#include "vtkTexture.h"
 #include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
@@ -37,6 +40,7 @@ constexpr double curveOffset = -120.0;  // in 1.6e-5 of the depth drawn, togethe
 
 constexpr double skin[3] = {0.90, 0.86, 0.83};
 constexpr double inside[3] = {0.56, 0.54, 0.53};
+constexpr double mouth[3] = {0.36, 0.14, 0.13};
 constexpr double lines[3] = {0.16, 0.20, 0.26};
 constexpr double curveColor[3] = {0.05, 0.28, 0.55};
 
@@ -72,6 +76,7 @@ FaceScene::FaceScene(FacePipeline& pipeline, const SceneStyle& style)
   outwards_->SetInputConnection(pipeline.surface()->GetOutputPort());
   outwards_->Update();
   addSurface();
+  if (!pipeline.state().texture.empty()) addTexture();
   if (!style.colorBy.empty()) addColors();
   if (style.curves) addCurves();
   addLights();
@@ -115,6 +120,24 @@ void FaceScene::addSurface() {
     }
   }
   renderer_->AddActor(surface_);
+}
+
+/// Colours come from the photograph alone. The inside of the mouth, which it does not show, is dark.
+void FaceScene::addTexture() {
+  if (!style_.colorBy.empty()) throw ValueFailure("--texture and --color-by both colour the surface; give one");
+  if (style_.mesh == SceneStyle::Mesh::Wireframe) throw ValueFailure("--texture needs a surface; leave out --style wireframe");
+  vtkNew<vtkImageData> image;
+  const std::string fault = makeFaceTexture(pipeline_.state(), pipeline_.neutralCurves()->GetOutput(), image);
+  if (!fault.empty()) throw FileFailure(fault);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  texture->RepeatOff();
+  texture->EdgeClampOn();
+  surface_->SetTexture(texture);
+  surface_->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  surface_->GetBackfaceProperty()->SetColor(mouth[0], mouth[1], mouth[2]);
 }
 
 void FaceScene::addCurves() {

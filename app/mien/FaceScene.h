@@ -21,7 +21,8 @@ class FacePipeline;
 /// A face under three lights, drawn without a window. There must be a display; see VirtualDisplay.
 class FaceScene {
  public:
-  /// The pipeline must be up to date and outlive the scene. Throws a ValueFailure when the array to colour by is not there.
+  /// The pipeline must be up to date and outlive the scene. Throws a ValueFailure when the array to colour by is
+  /// not there, a FileFailure when the texture cannot be made.
   FaceScene(FacePipeline& pipeline, const SceneStyle& style);
   ~FaceScene();
 
@@ -33,6 +34,7 @@ class FaceScene {
 
  private:
   void addSurface();
+  void addTexture();
   void addCurves();
   void updateCurves();
   void addLights();

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 class vtkStructuredGrid;
@@ -29,10 +30,14 @@ class FrameSink {
 /// A folder of frame_0000.png, frame_0001.png, ..; frames of an earlier, longer run are removed at the end.
 std::unique_ptr<FrameSink> makePictureFolderSink(const std::string& folder);
 
-/// A ParaView time series: NAME.pvd and a folder NAME of polygon files.
-std::unique_ptr<FrameSink> makeSurfaceSeriesSink(const std::string& name);
+/// A ParaView time series: NAME.pvd and a folder NAME of surfaces.
+/// @param ending  "vts", the grid with its blanked mouth, or "vtp", polygons without it
+std::unique_ptr<FrameSink> makeSurfaceSeriesSink(const std::string& name, const std::string& ending);
 
-/// A film: .ogv by VTK; .mp4 by ffmpeg, when that is installed. Throws a FileFailure when it is not.
+/// A film: .ogv by VTK, all others by ffmpeg, when that is installed. Throws a FileFailure when it is not.
 std::unique_ptr<FrameSink> makeMovieSink(const std::string& name, double framesPerSecond);
+
+/// Endings of a file that an animation can be written to.
+std::vector<std::string> animationEndings();
 
 }  // namespace mien

@@ -111,7 +111,8 @@ json aboutFace(const Options& options) {
 }
 
 void run(const Options& options) {
-  const bool isAnimation = fileEnding(options.file) == "fap";
+  const std::string ending = fileEnding(options.file);
+  const bool isAnimation = ending == "fap" || ending == "csv" || options.file == "-";
   const json about = isAnimation ? describeAnimation(options.file) : aboutFace(options);
   if (options.json)
     std::cout << json{{isAnimation ? "fap" : "face", about}}.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
@@ -124,10 +125,10 @@ void run(const Options& options) {
 void addInfoCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("info", "Tell what a file or the generic face holds");
-  command->add_option("file", options->file, "Boundary curves .vtp or animation .fap [the generic face]");
+  command->add_option("file", options->file, "Boundary curves .vtp .mienz or animation .fap .csv [the generic face]");
   command->add_flag("--json", options->json, "Machine-readable");
   options->face.addSurfaceOptions(*command);
-  command->footer("Example: mien info --json\n         mien info speech.fap\n         mien info --resolution 60x40");
+  command->footer("Example: mien info --json\n         mien info speech.fap\n         mien info take.csv\n         mien info --resolution 60x40");
   command->callback([options] { run(*options); });
 }
 

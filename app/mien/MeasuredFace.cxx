@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "Arguments.h"
-#include "CsvText.h"
+#include "FaceNote.h"
 #include "FacePipeline.h"
 #include "FaceScheme.h"
 #include "Failure.h"
@@ -19,11 +19,6 @@ std::string allSchemeNames() {
   std::string names;
   for (const FaceScheme& scheme : faceSchemes()) names += (names.empty() ? "" : ", ") + scheme.name;
   return names;
-}
-
-bool isUniform(const FaceSurfaceOptions& options) {
-  const double first = options.smoothing.front();
-  return std::all_of(options.smoothing.begin(), options.smoothing.end(), [first](double a) { return a == first; });
 }
 
 }  // namespace
@@ -80,7 +75,7 @@ nlohmann::ordered_json MeasuredFace::description(const std::string& scheme) cons
   const FaceSurfaceOptions& surface = state().surface;
   nlohmann::ordered_json about;
   about["scheme"] = scheme;
-  if (isUniform(surface))
+  if (hasUniformSmoothing(surface))
     about["a"] = surface.smoothing.front();
   else
     about["a"] = surface.smoothing;
@@ -90,19 +85,7 @@ nlohmann::ordered_json MeasuredFace::description(const std::string& scheme) cons
 }
 
 std::string MeasuredFace::note(bool withSmoothing) const {
-  const FaceSurfaceOptions& surface = state().surface;
-  std::string text = state().curvesFile.empty() ? "Generic face" : state().curvesFile;
-  text += schemes_.size() == 1 ? ", scheme " : ", schemes ";
-  for (size_t i = 0; i < schemes_.size(); ++i) text += (i ? ", " : "") + schemes_[i];
-  if (withSmoothing) {
-    text += "; a = ";
-    for (size_t patch = 0; patch < (isUniform(surface) ? 1 : surface.smoothing.size()); ++patch)
-      text += (patch ? ", " : "") + shortestText(surface.smoothing[patch]);
-  }
-  text += "; N = " + std::to_string(surface.modes) + (surface.remainder ? " with remainder" : " without remainder");
-  if (!state().fapFile.empty()) text += "; " + state().fapFile;
-  for (const auto& [name, intensity] : state().expressions) text += "; " + name + " at " + shortestText(intensity);
-  return text + "; Mien " MIEN_VERSION;
+  return faceNote(state(), schemes_, withSmoothing);
 }
 
 }  // namespace mien

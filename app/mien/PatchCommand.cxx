@@ -1,6 +1,7 @@
 #include "Arguments.h"
 #include "BoundaryCurveData.h"
 #include "Command.h"
+#include "CompactFaceFile.h"
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
@@ -8,9 +9,11 @@
 #include "SurfaceTable.h"
 #include "XMLDataFile.h"
 
+#include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
 #include "vtkPDEPatchFilter.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
 
@@ -36,12 +39,26 @@ void checkOutput(const std::string& name) {
   requireEnding(name, endings);
 }
 
-void readCurves(const std::string& name, vtkXMLPolyDataReader* reader) {
+/// The boundary curves of a compact face file.
+vtkSmartPointer<vtkPolyData> readFace(const std::string& name) {
+  vtkNew<vtkBoundaryCurveReader> reader;
+  PipelineErrors errors;
+  errors.observe(reader);
+  reader->SetFileName(name.c_str());
+  reader->Update();
+  if (!errors.first().empty()) throw FileFailure(errors.first());
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> readCurves(const std::string& name) {
+  if (isCompactFaceFile(name)) return readFace(name);
+  vtkNew<vtkXMLPolyDataReader> reader;
   const std::string unreadable = readXMLDataFile(name, reader);
   if (!unreadable.empty()) throw FileFailure(unreadable);
   ClosedCurves curves;
   const std::string fault = readClosedCurves(reader->GetOutput(), curves);
   if (!fault.empty()) throw FileFailure(name + ": " + fault);
+  return reader->GetOutput();
 }
 
 void addConditions(const std::vector<std::string>& conditions, vtkPDEPatchFilter* patch) {
@@ -68,11 +85,9 @@ void run(const Options& options) {
   checkOutput(options.output);
   vtkNew<vtkPDEPatchFilter> patch;
   setOptions(options, patch);
-  vtkNew<vtkXMLPolyDataReader> reader;
-  readCurves(options.curves, reader);
   PipelineErrors errors;
   errors.observe(patch);
-  patch->SetInputConnection(reader->GetOutputPort());
+  patch->SetInputData(readCurves(options.curves));
   patch->Update();
   if (!errors.first().empty()) throw ValueFailure(options.curves + ": " + errors.first());
   if (isTable(options))
@@ -86,7 +101,7 @@ void run(const Options& options) {
 void addPatchCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("patch", "Write one PDE patch between any closed curves");
-  command->add_option("curves", options->curves, "Closed polylines of equal length, FILE.vtp")->required();
+  command->add_option("curves", options->curves, "Closed polylines of equal length, FILE.vtp, or a face, FILE.mienz")->required();
   command->add_option("-o,--output", options->output, "File to write: .vts .vtp .ply .obj .stl .csv")->required();
   command->add_option("--condition", options->conditions,
                       "U[:DERIVATIVE] of the next curve, once for each [arrays U and Derivative of the file, "

@@ -25,6 +25,11 @@ void ProgressLine::show(int done) {
   const Clock::time_point now = Clock::now();
   if (!visible_ || seconds(now - shown_) < secondsBetweenLines) return;
   shown_ = now;
+  if (total_ == 0) {
+    std::fprintf(stderr, "%s%s %d", clearLine, what_, done);
+    std::fflush(stderr);
+    return;
+  }
   const double left = done > 0 ? seconds(now - begin_) / done * (total_ - done) : 0.0;
   std::fprintf(stderr, "%s%s %d of %d, %.0f s left", clearLine, what_, done, total_, left);
   std::fflush(stderr);

@@ -7,6 +7,7 @@ namespace mien {
 /// How far a command is and how long it will take, in one line on stderr when that is a terminal; nothing otherwise.
 class ProgressLine {
  public:
+  /// @param total  how many there will be; 0 when nobody knows
   explicit ProgressLine(int total, const char* what = "frame");
   ~ProgressLine();  ///< takes the line away
   ProgressLine(const ProgressLine&) = delete;

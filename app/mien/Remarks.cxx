@@ -25,7 +25,7 @@ std::string nameList(const std::vector<int>& faps) {
 }  // namespace
 
 void printRemarks(const FacePipeline& pipeline) {
-  const std::string& file = pipeline.state().fapFile;
+  const std::string file = pipeline.state().fapFile == "-" ? "standard input" : pipeline.state().fapFile;
   if (!file.empty())
     for (const std::string& warning : pipeline.frames()->GetWarnings()) std::cerr << "mien: " << warning << "\n";
   const std::vector<int> ignored = pipeline.animation()->GetIgnoredFAPs();

@@ -48,8 +48,10 @@ void addRenderCommand(CLI::App& program) {
   command->add_option("-o,--output", options->output, "File to write: .png")->required();
   options->picture.addTo(*command);
   options->face.addAll(*command);
+  options->face.addTextureOptions(*command);
   command->footer(
       "Example: mien render --expression surprise --view 45 --size 1200x1200 -o surprise.png\n"
+      "         mien render --texture painted --expression joy -o joy.png\n"
       "The picture carries the face's state as text. Without a display a private Xvfb is started.");
   command->callback([options] { run(*options); });
 }

@@ -27,14 +27,6 @@ struct Options {
   std::optional<double> tolerance;  ///< mm
 };
 
-/// "0.1" or "0.1mm".
-double parseMillimetres(const std::string& option, const std::string& text) {
-  const bool hasUnit = text.size() > 2 && text.compare(text.size() - 2, 2, "mm") == 0;
-  const double value = parseNumber(option, hasUnit ? text.substr(0, text.size() - 2) : text);
-  if (!(value > 0.0)) throw ValueFailure(option + " '" + text + "' is not above 0; write it as 0.1mm");
-  return value;
-}
-
 /// The mode's number, where it has one.
 json modeName(const std::string& name) {
   if (name == "remainder") return name;

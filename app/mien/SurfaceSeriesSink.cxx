@@ -22,7 +22,8 @@ std::string escaped(const std::string& text) {
 
 class SurfaceSeriesSink : public FrameSink {
  public:
-  explicit SurfaceSeriesSink(const std::string& name) : name_(name), folder_(fs::path(name).replace_extension()) {
+  SurfaceSeriesSink(const std::string& name, const std::string& ending)
+      : name_(name), ending_(ending), folder_(fs::path(name).replace_extension()) {
     const OutputFile writable(name);
     std::error_code error;
     fs::create_directories(folder_, error);
@@ -33,8 +34,8 @@ class SurfaceSeriesSink : public FrameSink {
 
   void add(const AnimationFrame& frame, vtkStructuredGrid* surface, vtkImageData*) override {
     char number[16];
-    std::snprintf(number, sizeof number, "_%04d.vtp", count_++);
-    const std::string file = folder_.filename().string() + number;
+    std::snprintf(number, sizeof number, "_%04d.", count_++);
+    const std::string file = folder_.filename().string() + number + ending_;
     writeSurface(surface, (folder_ / file).string());
     entries_ += "    <DataSet timestep=\"" + shortestText(frame.time) + "\" part=\"0\" file=\"" +
                 escaped(folder_.filename().string() + "/" + file) + "\"/>\n";
@@ -47,7 +48,7 @@ class SurfaceSeriesSink : public FrameSink {
   }
 
  private:
-  std::string name_;
+  std::string name_, ending_;
   fs::path folder_;
   std::string entries_;
   int count_ = 0;
@@ -55,8 +56,8 @@ class SurfaceSeriesSink : public FrameSink {
 
 }  // namespace
 
-std::unique_ptr<FrameSink> makeSurfaceSeriesSink(const std::string& name) {
-  return std::make_unique<SurfaceSeriesSink>(name);
+std::unique_ptr<FrameSink> makeSurfaceSeriesSink(const std::string& name, const std::string& ending) {
+  return std::make_unique<SurfaceSeriesSink>(name, ending);
 }
 
 }  // namespace mien

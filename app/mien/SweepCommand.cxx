@@ -7,16 +7,14 @@
 #include "Command.h"
 #include "CsvText.h"
 #include "Failure.h"
-#include "Interruption.h"
 #include "MeasuredFace.h"
 #include "MeshFile.h"
 #include "NumberRange.h"
 #include "PipelineErrors.h"
-#include "ProgressLine.h"
 #include "ReportOptions.h"
 #include "SweepFigure.h"
 #include "TableRows.h"
-#include "vtkCallbackCommand.h"
+#include "WatchedUpdate.h"
 #include "vtkNew.h"
 #include "vtkPDEParameterSweep.h"
 #include "vtkTable.h"
@@ -32,27 +30,6 @@ struct Options {
   ReportOptions report;
   std::string range = "0.1:10:21log", referenceSmoothing = "1", scan;
 };
-
-constexpr int progressSteps = 1000;
-
-/// Shows how far the sweep is, and ends it after Ctrl-C.
-void watch(vtkObject* caller, unsigned long, void* line, void*) {
-  auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-  static_cast<ProgressLine*>(line)->show(static_cast<int>(progressSteps * algorithm->GetProgress()));
-  if (wasInterrupted()) algorithm->SetAbortExecute(1);
-}
-
-void updateWatched(vtkPDEParameterSweep* sweep) {
-  noteInterruptions();
-  ProgressLine line(progressSteps, "part");
-  vtkNew<vtkCallbackCommand> callback;
-  callback->SetCallback(watch);
-  callback->SetClientData(&line);
-  const unsigned long observer = sweep->AddObserver(vtkCommand::ProgressEvent, callback);
-  sweep->Update();
-  sweep->RemoveObserver(observer);
-  if (wasInterrupted()) throw Stopped("stopped before the sweep was complete; nothing was written");
-}
 
 void setOptions(const Options& options, vtkPDEParameterSweep* sweep) {
   std::vector<double> values;
@@ -145,7 +122,7 @@ void run(Options& options) {
   options.face.connect(sweep, options.face.schemes().front());
   setOptions(options, sweep);
   if (!options.scan.empty()) sweep->SetReferenceData(readMesh(options.scan));
-  updateWatched(sweep);
+  updateWatched(sweep, "sweep");
   if (!errors.first().empty()) throw ValueFailure(errors.first());
   options.report.deliver(reportOf(options, sweep), "mien sweep");
 }

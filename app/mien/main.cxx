@@ -25,12 +25,18 @@ void addCommands(CLI::App& program) {
   mien::addPatchCommand(program);
   mien::addRenderCommand(program);
   mien::addAnimateCommand(program);
+  mien::addConvertCommand(program);
   mien::addAcquireCommand(program);
+  mien::addAdaptCommand(program);
+  mien::addEditCommand(program);
   mien::addContinuityCommand(program);
   mien::addSpectrumCommand(program);
   mien::addSweepCommand(program);
   mien::addInfluenceCommand(program);
   mien::addCompareCommand(program);
+  mien::addVectorsCommand(program);
+  mien::addTextureCommand(program);
+  mien::addLodCommand(program);
   mien::addFatCommand(program);
   mien::addFdtCommand(program);
 }

@@ -39,7 +39,7 @@ void name() {
 /// Reads the arguments, and ends the program after help or version.
 void read(QCommandLineParser& arguments, const QCommandLineOption& play, const QCoreApplication& application) {
   arguments.setApplicationDescription("Shows and animates a PDE face.");
-  arguments.addPositionalArgument("FILE.fap", "An MPEG-4 facial animation to open.", "[FILE.fap]");
+  arguments.addPositionalArgument("FILE.fap", "A facial animation to open, .fap or .csv; - plays a .fap stream from standard input.", "[FILE.fap]");
   arguments.addOption(play);
   arguments.addHelpOption();
   arguments.addVersionOption();
@@ -68,7 +68,9 @@ int main(int argc, char** argv) {
   mien::StudioWindow window;
   window.show();
   const QStringList files = arguments.positionalArguments();
-  if (!files.isEmpty()) {
+  if (!files.isEmpty() && files.first() == "-") {
+    window.playStream(0);
+  } else if (!files.isEmpty()) {
     if (window.openAnimation(files.first()) && arguments.isSet(play)) window.player().play();
   } else if (arguments.isSet(play)) {
     window.playDemonstration();

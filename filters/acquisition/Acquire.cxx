@@ -3,11 +3,18 @@
 #include "PipelineErrors.h"
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 #include "vtkBoundaryCurveMeanFilter.h"
+#include "vtkPDEFaceFilter.h"
 #include "vtkScanReader.h"
+#include "vtkSurfaceDistanceFilter.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
 #include "vtkXMLPolyDataWriter.h"
+
+#include <fstream>
 
 namespace mien
 {
@@ -24,64 +31,159 @@ std::string describeOptions(const AcquireOptions& options)
   return {};
 }
 
-std::string measureScan(const std::string& scan, const AcquireOptions& options, vtkPolyData* curves)
+void tellProgress(vtkObject* caller, unsigned long, void* progress, void*)
 {
-  vtkNew<vtkScanReader> reader;
-  vtkNew<vtkBoundaryCurveAcquisitionFilter> filter;
-  PipelineErrors errors;
-  errors.observe(reader);
-  errors.observe(filter);
-  reader->SetFileName(scan.c_str());
-  reader->Update();
-  if (!errors.first().empty())
-    return errors.first();
-  filter->SetInputData(reader->GetOutput());
-  filter->SetLandmarkFileName(options.landmarkFile.c_str());
-  filter->SetPointsPerCurve(options.pointsPerCurve);
-  filter->Update();
-  curves->ShallowCopy(filter->GetOutput());
-  const std::string fault = errors.first();
-  return fault.empty() || fault.rfind(options.landmarkFile + ":", 0) == 0 ? fault : scan + ": " + fault;
+  auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+  if (!goesOn(*static_cast<const Progress*>(progress), algorithm->GetProgress()))
+    algorithm->SetAbortExecute(1);
 }
 
-std::string writeCurves(vtkPolyData* curves, const std::string& file)
+/// Whether a filter ran to its end.
+bool runs(vtkAlgorithm* algorithm, const Progress& progress)
+{
+  vtkNew<vtkCallbackCommand> callback;
+  callback->SetCallback(tellProgress);
+  callback->SetClientData(const_cast<Progress*>(&progress));
+  const unsigned long observer = algorithm->AddObserver(vtkCommand::ProgressEvent, callback);
+  algorithm->Update();
+  algorithm->RemoveObserver(observer);
+  return algorithm->GetAbortExecute() == 0;
+}
+
+std::string measureDistance(vtkPolyData* curves, vtkPolyData* scan, AcquireResult& result)
+{
+  vtkNew<vtkPDEFaceFilter> face;
+  vtkNew<vtkSurfaceDistanceFilter> distance;
+  PipelineErrors errors;
+  errors.observe(face);
+  errors.observe(distance);
+  face->SetInputData(curves);
+  face->SetResolution(224, 160);
+  distance->SetInputConnection(face->GetOutputPort());
+  distance->SetReferenceData(scan);
+  distance->SetFrontalOnly(true);
+  distance->Update();
+  if (!errors.first().empty())
+    return errors.first();
+  auto* table = vtkTable::SafeDownCast(distance->GetOutputDataObject(2));
+  result.frontalRMS = table->GetValueByName(0, "rms_mm").ToDouble();
+  result.frontalMaximum = table->GetValueByName(0, "max_mm").ToDouble();
+  return {};
+}
+
+std::string writePolyData(vtkPolyData* data, const std::string& file)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
   PipelineErrors errors;
   errors.observe(writer);
   writer->SetFileName(file.c_str());
-  writer->SetInputData(curves);
+  writer->SetInputData(data);
   writer->SetDataModeToBinary();
   writer->SetCompressorTypeToNone();
   const bool written = writer->Write() == 1 && errors.first().empty() && writer->GetErrorCode() == 0;
-  return written ? std::string() : file + ": the curves cannot be written there; check folder and rights";
+  return written ? std::string() : file + ": the file cannot be written there; check folder and rights";
 }
+
+std::string writeText(const std::string& text, const std::string& file)
+{
+  std::ofstream stream(file, std::ios::binary);
+  return stream << text && stream.flush() ? std::string() : file + ": the file cannot be written there; check folder and rights";
+}
+
+std::string measureScan(const AcquireOptions& options, vtkBoundaryCurveAcquisitionFilter* filter, AcquireResult& result, const Progress& progress)
+{
+  vtkNew<vtkScanReader> reader;
+  PipelineErrors errors;
+  errors.observe(reader);
+  errors.observe(filter);
+  reader->SetFileName(result.scan.c_str());
+  reader->Update();
+  if (!errors.first().empty())
+    return errors.first();
+  filter->SetInputData(reader->GetOutput());
+  filter->SetLandmarkFileName(options.landmarkFile.c_str());
+  filter->SetPointsPerCurve(options.scan.pointsPerCurve);
+  filter->SetScale(options.scan.millimetres);
+  filter->SetPose(static_cast<int>(options.scan.pose));
+  filter->SetAllParts(options.scan.allParts);
+  filter->SetTriangles(options.triangles);
+  filter->SetCompareLandmarks(options.report);
+  if (!runs(filter, progress))
+    return "stopped before the curves were measured";
+  std::string fault = errors.first();
+  if (fault.empty() && options.report)
+    fault = measureDistance(filter->GetOutput(), filter->GetOutput(1), result);
+  result.report = filter->GetAcquired().report;
+  result.crossings = countCrossings(filter->GetAcquired().face.curves);
+  const bool namesLandmarks = !options.landmarkFile.empty() && fault.rfind(options.landmarkFile + ":", 0) == 0;
+  return fault.empty() || namesLandmarks ? fault : result.scan + ": " + fault;
+}
+
+/// The curves of all scans and, with them, what else is to be written.
+class Measurements
+{
+public:
+  explicit Measurements(const AcquireOptions& options)
+    : Options(options)
+  {
+  }
+
+  std::string add(AcquireResult& result, const Progress& progress)
+  {
+    vtkNew<vtkBoundaryCurveAcquisitionFilter> filter;
+    const std::string fault = measureScan(this->Options, filter, result, progress);
+    if (!fault.empty())
+      return fault;
+    this->Landmarks.points += filter->GetAcquired().landmarks.points / static_cast<double>(this->Options.scans.size());
+    this->Curves = filter->GetOutput();
+    this->Scan = filter->GetOutput(1);
+    vtkNew<vtkPolyData> copy;
+    copy->ShallowCopy(this->Curves);
+    this->Mean->AddInputDataObject(copy);
+    return {};
+  }
+
+  std::string write()
+  {
+    PipelineErrors errors;
+    errors.observe(this->Mean);
+    if (this->Options.mean)
+    {
+      this->Mean->Update();
+      if (!errors.first().empty())
+        return errors.first();
+      this->Curves = this->Mean->GetOutput();
+      this->Landmarks = symmetrised(this->Landmarks);
+    }
+    std::string fault = this->Options.landmarkOutput.empty() ? "" : writeText(landmarkText(this->Landmarks), this->Options.landmarkOutput);
+    if (fault.empty() && !this->Options.scanOutput.empty())
+      fault = writePolyData(this->Scan, this->Options.scanOutput);
+    return fault.empty() ? writePolyData(this->Curves, this->Options.outputFile) : fault;
+  }
+
+private:
+  const AcquireOptions& Options;
+  vtkNew<vtkBoundaryCurveMeanFilter> Mean;
+  vtkSmartPointer<vtkPolyData> Curves, Scan;
+  FaceLandmarks Landmarks;
+};
 
 } // namespace
 
-std::string acquire(const AcquireOptions& options)
+std::string acquire(const AcquireOptions& options, std::vector<AcquireResult>* results, const Progress& progress)
 {
   std::string fault = describeOptions(options);
-  vtkNew<vtkBoundaryCurveMeanFilter> mean;
-  vtkNew<vtkPolyData> curves;
+  Measurements measurements(options);
+  const double count = static_cast<double>(options.scans.size());
   for (std::size_t i = 0; i < options.scans.size() && fault.empty(); ++i)
   {
-    curves->Initialize();
-    fault = measureScan(options.scans[i], options, curves);
-    vtkNew<vtkPolyData> copy;
-    copy->ShallowCopy(curves);
-    mean->AddInputDataObject(copy);
+    AcquireResult result;
+    result.scan = options.scans[i];
+    fault = measurements.add(result, partOf(progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
+    if (results)
+      results->push_back(result);
   }
-  if (!fault.empty())
-    return fault;
-  PipelineErrors errors;
-  errors.observe(mean);
-  if (options.mean)
-  {
-    mean->Update();
-    curves->ShallowCopy(mean->GetOutput());
-  }
-  return errors.first().empty() ? writeCurves(curves, options.outputFile) : errors.first();
+  return fault.empty() ? measurements.write() : fault;
 }
 
 } // namespace mien

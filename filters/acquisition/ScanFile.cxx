@@ -2,11 +2,7 @@
 
 #include "RadialSkin.h"
 #include "ScanHeader.h"
-
-#include <OpenMesh/Core/IO/MeshIO.hh>
-#include <OpenMesh/Core/Mesh/DefaultTriMesh.hh>
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <OpenMesh/Core/System/omstream.hh>
+#include "ScanMesh.h"
 
 #include <vtksys/SystemTools.hxx>
 
@@ -18,24 +14,6 @@ namespace mien
 
 namespace
 {
-
-using ScanMesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
-
-/// OpenMesh reports on the console; the one sentence this file returns is enough.
-class QuietOpenMesh
-{
-public:
-  QuietOpenMesh()
-  {
-    omerr().disable();
-    omlog().disable();
-  }
-  ~QuietOpenMesh()
-  {
-    omerr().enable();
-    omlog().enable();
-  }
-};
 
 std::string endingOf(const std::string& file)
 {
@@ -60,22 +38,6 @@ std::string describeHeaderFault(const std::string& file)
   if (promisesTooMuch(start, endingOf(file), vtksys::SystemTools::FileLength(file)))
     return "the header promises more vertices or faces than the file holds; it is damaged, export the scan again";
   return {};
-}
-
-TriangleMesh toTriangleMesh(const ScanMesh& scan)
-{
-  TriangleMesh mesh;
-  mesh.vertices.resize(static_cast<int>(scan.n_vertices()), 3);
-  mesh.triangles.resize(static_cast<int>(scan.n_faces()), 3);
-  for (const auto vertex : scan.vertices())
-    mesh.vertices.row(vertex.idx()) = Eigen::Map<const Eigen::RowVector3d>(scan.point(vertex).data());
-  for (const auto face : scan.faces())
-  {
-    int corner = 0;
-    for (const auto vertex : face.vertices())
-      mesh.triangles(face.idx(), corner++) = vertex.idx();
-  }
-  return mesh;
 }
 
 bool readThroughOpenMesh(const std::string& file, ScanMesh& scan)

@@ -1,15 +1,21 @@
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 
 #include "BoundaryCurveData.h"
-#include "FaceAcquisition.h"
 #include "LandmarkTable.h"
 #include "MeshData.h"
+#include "ReferenceFace.h"
+#include "ScanAcquisition.h"
+#include "ScanDecimation.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -19,63 +25,109 @@ namespace
 {
 
 constexpr int maximumPointsPerCurve = 4096;
+constexpr int fewestTriangles = 1000;
+constexpr std::streamsize largestLandmarkFile = 1 << 20; // bytes
 
 std::string readLandmarkFile(const std::string& name, mien::LandmarkTable& table)
 {
-  if (name.empty())
-    return "there is no landmark file; give a CSV file with the 68 landmarks";
-  std::ifstream file(name);
-  std::stringstream text;
-  if (!file || !(text << file.rdbuf()))
-    return name + ": there is no such file or it is empty; give a CSV file with the 68 landmarks";
-  const std::string fault = mien::parseLandmarks(text.str(), table);
+  std::ifstream file(name, std::ios::binary);
+  std::string text(largestLandmarkFile + 1, '\0');
+  file.read(text.data(), largestLandmarkFile + 1);
+  if (file.gcount() == 0)
+    return name + ": there is no such file or it is empty; give a CSV file with landmarks";
+  if (file.gcount() > largestLandmarkFile)
+    return name + ": the file is larger than 1 MiB; give a CSV file with at most 68 landmarks";
+  text.resize(static_cast<size_t>(file.gcount()));
+  const std::string fault = mien::parseLandmarks(text, table);
   return fault.empty() ? fault : name + ":" + fault;
 }
 
-std::string describePointCount(int count)
+void writeMotion(const mien::Similarity& motion, vtkFieldData* fields)
 {
-  if (count % 2 == 0 && count >= 8 && count <= maximumPointsPerCurve)
-    return {};
-  return "points per curve must be an even number from 8 to " + std::to_string(maximumPointsPerCurve) + ", not " +
-    std::to_string(count);
-}
-
-std::string measure(vtkPolyData* scan, const std::string& landmarkFile, int pointsPerCurve, mien::FaceCurves& face)
-{
-  mien::LandmarkTable table;
-  mien::FaceLandmarks landmarks;
-  mien::TriangleMesh mesh;
-  std::string fault = describePointCount(pointsPerCurve);
-  if (fault.empty())
-    fault = readLandmarkFile(landmarkFile, table);
-  if (fault.empty())
-    fault = mien::readTriangleMesh(scan, mesh);
-  if (fault.empty())
-    fault = mien::placeLandmarks(table, mesh, landmarks);
-  return fault.empty() ? mien::acquireFace(mesh, landmarks, pointsPerCurve, face) : fault;
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("ScanToFace");
+  array->SetNumberOfComponents(16);
+  Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = Eigen::Matrix4d::Identity();
+  matrix.topLeftCorner<3, 3>() = motion.scale * motion.rotation;
+  matrix.topRightCorner<3, 1>() = motion.translation;
+  array->InsertNextTuple(matrix.data());
+  fields->AddArray(array);
 }
 
 } // namespace
 
-vtkBoundaryCurveAcquisitionFilter::vtkBoundaryCurveAcquisitionFilter() = default;
+vtkBoundaryCurveAcquisitionFilter::vtkBoundaryCurveAcquisitionFilter()
+  : Acquired(new mien::AcquiredScan)
+{
+  this->SetNumberOfOutputPorts(2);
+}
 
 vtkBoundaryCurveAcquisitionFilter::~vtkBoundaryCurveAcquisitionFilter()
 {
   this->SetLandmarkFileName(nullptr);
 }
 
+const mien::AcquiredScan& vtkBoundaryCurveAcquisitionFilter::GetAcquired() const
+{
+  return *this->Acquired;
+}
+
+std::string vtkBoundaryCurveAcquisitionFilter::DescribeSettings() const
+{
+  if (this->PointsPerCurve % 2 != 0 || this->PointsPerCurve < 8 || this->PointsPerCurve > maximumPointsPerCurve)
+    return "points per curve must be an even number from 8 to " + std::to_string(maximumPointsPerCurve) + ", not " +
+      std::to_string(this->PointsPerCurve);
+  if (!(this->Scale >= 0.0) || !std::isfinite(this->Scale))
+    return "the scale must be a number of mm above 0, or 0 to have it recognised";
+  if (this->Triangles != 0 && this->Triangles < fewestTriangles)
+    return "a scan can be decimated to " + std::to_string(fewestTriangles) + " triangles or more, not to " + std::to_string(this->Triangles);
+  return {};
+}
+
+std::string vtkBoundaryCurveAcquisitionFilter::Measure(vtkPolyData* scan)
+{
+  mien::LandmarkTable table;
+  mien::FaceLandmarks landmarks;
+  mien::TriangleMesh mesh;
+  std::string fault = this->DescribeSettings();
+  if (fault.empty() && this->LandmarkFileName && *this->LandmarkFileName)
+    fault = readLandmarkFile(this->LandmarkFileName, table);
+  if (fault.empty())
+    fault = mien::readTriangleMesh(scan, mesh);
+  if (fault.empty())
+    fault = mien::placeLandmarks(table, mesh, landmarks);
+  if (!fault.empty())
+    return fault;
+  mien::CleanMesh clean = mien::cleaned(mesh);
+  if (this->Triangles > 0)
+    mien::decimate(clean.mesh, this->Triangles);
+  mien::ScanSettings settings;
+  settings.millimetres = this->Scale;
+  settings.pose = static_cast<mien::ScanSettings::Pose>(this->Pose);
+  settings.allParts = this->AllParts;
+  settings.compareLandmarks = this->CompareLandmarks;
+  settings.pointsPerCurve = this->PointsPerCurve;
+  return mien::acquireScan(clean, table.given, landmarks, mien::referenceTemplate(), settings, *this->Acquired, [this](double done) {
+    this->UpdateProgress(done);
+    return this->GetAbortExecute() == 0;
+  });
+}
+
 int vtkBoundaryCurveAcquisitionFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  mien::FaceCurves face;
-  const std::string fault = measure(vtkPolyData::GetData(inputs[0]),
-    this->LandmarkFileName ? this->LandmarkFileName : "", this->PointsPerCurve, face);
+  *this->Acquired = mien::AcquiredScan();
+  const std::string fault = this->Measure(vtkPolyData::GetData(inputs[0]));
+  if (this->GetAbortExecute())
+    return 0;
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);
     return 0;
   }
-  mien::writeFaceCurves(face, vtkPolyData::GetData(outputs));
+  mien::writeFaceCurves(this->Acquired->face, vtkPolyData::GetData(outputs, 0));
+  writeMotion(this->Acquired->report.scanToFace, vtkPolyData::GetData(outputs, 0)->GetFieldData());
+  mien::writeTriangleMesh(this->Acquired->mesh, vtkPolyData::GetData(outputs, 1));
   return 1;
 }
 
@@ -84,4 +136,9 @@ void vtkBoundaryCurveAcquisitionFilter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LandmarkFileName: " << (this->LandmarkFileName ? this->LandmarkFileName : "(none)") << "\n";
   os << indent << "PointsPerCurve: " << this->PointsPerCurve << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "Pose: " << this->Pose << "\n";
+  os << indent << "Triangles: " << this->Triangles << "\n";
+  os << indent << "AllParts: " << (this->AllParts ? "on" : "off") << "\n";
+  os << indent << "CompareLandmarks: " << (this->CompareLandmarks ? "on" : "off") << "\n";
 }

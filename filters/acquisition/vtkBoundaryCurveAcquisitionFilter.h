@@ -1,14 +1,18 @@
 /**
  * @class vtkBoundaryCurveAcquisitionFilter
- * @brief measures the 29 boundary curves of a face from a scan with 68 landmarks
+ * @brief measures the 29 boundary curves of a face from a scan, with 68 landmarks or without
  *
- * Input: vtkPolyData, the surface of a whole head in mm, +x the subject's left, +y up, +z forward.
- * Output: vtkPolyData, boundary curves with feature points and pupils as in BoundaryCurveData.h (mm, radians).
+ * Input: vtkPolyData, the surface of a whole head in any unit and pose; holes, loose parts and eyeballs may be there.
+ * Output 0: vtkPolyData, boundary curves with feature points and pupils as in BoundaryCurveData.h (mm, radians), and the field array
+ * `ScanToFace` (1 x 16: the matrix, row by row, from the scan's coordinates to those of the curves).
+ * Output 1: vtkPolyData, the scan that was measured: cleaned, in mm, in the frame of the curves.
  *
- * Each curve follows landmarks at the front and runs evenly spaced at the back; its points lie where horizontal
- * rays from an axis in the head leave the skin, at azimuths t - 0.6 sin t with t = v - pi
- * [Sheng et al. 2011, 4.1]. Ears are taken off. Lips are measured as closed.
- * Errors: no landmark file or a wrong one (file and line), a vertex the mesh does not have, a mesh with holes
+ * The unit follows from the distance of the eyes, else from the best fit. Landmarks that no file gives are found by laying the
+ * generic face over the scan (HeadFit.h, FaceRegistration.h). Each curve follows landmarks at the front and runs evenly spaced at
+ * the back; its points lie where horizontal rays from an axis in the head leave the skin, at azimuths t - 0.6 sin t with
+ * t = v - pi [Sheng et al. 2011, 4.1]. Ears are taken off, holes up to 30 mm are filled. Lips are measured as closed.
+ * Tells its progress and can be aborted.
+ * Errors: a wrong landmark file (file and line), a vertex the mesh does not have, a unit that cannot be told, no face, a mesh open
  * where a curve runs, curves that would cross; there is no output then.
  * @sa vtkScanReader vtkBoundaryCurveMeanFilter
  */
@@ -18,6 +22,13 @@
 #include "MienAcquisitionModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
+
+namespace mien
+{
+struct AcquiredScan;
+}
+
 class MIENACQUISITION_EXPORT vtkBoundaryCurveAcquisitionFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -25,9 +36,16 @@ public:
   vtkTypeMacro(vtkBoundaryCurveAcquisitionFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum Poses
+  {
+    AUTOMATIC = 0, ///< upright heads stay where they are, others are moved onto the generic face
+    KEPT = 1,
+    MOVED = 2
+  };
+
   ///@{
-  /** CSV with the columns landmark, vertex or landmark, x, y, z (mm); see LandmarkTable.h. Default: none, which is an
-   *  error. */
+  /** CSV with the columns landmark, vertex or landmark, x, y, z (unit and frame of the scan); see LandmarkTable.h. Default: none, the
+   *  landmarks are found by fitting. */
   vtkSetFilePathMacro(LandmarkFileName);
   vtkGetFilePathMacro(LandmarkFileName);
   ///@}
@@ -38,6 +56,41 @@ public:
   vtkGetMacro(PointsPerCurve, int);
   ///@}
 
+  ///@{
+  /** Millimetres that one unit of the scan has, above 0. Default 0: recognised. */
+  vtkSetMacro(Scale, double);
+  vtkGetMacro(Scale, double);
+  ///@}
+
+  ///@{
+  /** AUTOMATIC, KEPT or MOVED. Default AUTOMATIC. */
+  vtkSetClampMacro(Pose, int, AUTOMATIC, MOVED);
+  vtkGetMacro(Pose, int);
+  ///@}
+
+  ///@{
+  /** Triangles to which the scan is decimated before it is measured, at least 1000. Default 0: it is not. */
+  vtkSetMacro(Triangles, int);
+  vtkGetMacro(Triangles, int);
+  ///@}
+
+  ///@{
+  /** Whether parts of the scan that are neither its largest nor an eyeball count. Default off. */
+  vtkSetMacro(AllParts, bool);
+  vtkGetMacro(AllParts, bool);
+  vtkBooleanMacro(AllParts, bool);
+  ///@}
+
+  ///@{
+  /** Whether landmarks from a file are compared with those found by fitting. Default off. */
+  vtkSetMacro(CompareLandmarks, bool);
+  vtkGetMacro(CompareLandmarks, bool);
+  vtkBooleanMacro(CompareLandmarks, bool);
+  ///@}
+
+  /** What the last update found; empty before. */
+  const mien::AcquiredScan& GetAcquired() const;
+
 protected:
   vtkBoundaryCurveAcquisitionFilter();
   ~vtkBoundaryCurveAcquisitionFilter() override;
@@ -47,8 +100,17 @@ private:
   vtkBoundaryCurveAcquisitionFilter(const vtkBoundaryCurveAcquisitionFilter&) = delete;
   void operator=(const vtkBoundaryCurveAcquisitionFilter&) = delete;
 
+  std::string Measure(vtkPolyData* scan);
+  std::string DescribeSettings() const;
+
   char* LandmarkFileName = nullptr;
   int PointsPerCurve = 40;
+  double Scale = 0.0;
+  int Pose = AUTOMATIC;
+  int Triangles = 0;
+  bool AllParts = false;
+  bool CompareLandmarks = false;
+  std::unique_ptr<mien::AcquiredScan> Acquired;
 };
 
 #endif

@@ -9,6 +9,7 @@
 #include "AnimationTableFile.h"
 #include "ExpressionsFile.h"
 #include "FaceLayout.h"
+#include "FacialActionsFile.h"
 #include "VisemesFile.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -109,6 +110,15 @@ const ExpressionLibrary& defaultExpressions() {
     return parsed;
   }();
   return library;
+}
+
+const FacialActionMap& defaultFacialActions() {
+  static const FacialActionMap map = [] {
+    FacialActionMap parsed;
+    parsed.parse(FacialActionsFile());
+    return parsed;
+  }();
+  return map;
 }
 
 const ExpressionLibrary& defaultVisemes() {

@@ -6,6 +6,7 @@
 #include "AnimationTable.h"
 #include "ClosedCurves.h"
 #include "ExpressionLibrary.h"
+#include "FacialActionMap.h"
 #include "MienAnimationModule.h"
 #include "vtkType.h"
 
@@ -19,6 +20,9 @@ MIENANIMATION_EXPORT std::string readAnimationTable(const std::string& fileName,
 
 /// The expressions compiled in.
 MIENANIMATION_EXPORT const ExpressionLibrary& defaultExpressions();
+
+/// What action units and blendshapes move, compiled in.
+MIENANIMATION_EXPORT const FacialActionMap& defaultFacialActions();
 
 /// The visemes compiled in, 1 .. 14.
 MIENANIMATION_EXPORT const ExpressionLibrary& defaultVisemes();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "FAPFields.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
@@ -11,20 +12,11 @@ namespace mien {
 
 namespace {
 
-/// Calls visit(column name, value) for every column, in the order of the table; Frame is FAPFrame or const FAPFrame.
+/// Calls visit(column name, value) for every column but those of FAP 3 .. 68; Frame is FAPFrame or const FAPFrame.
 template <typename Frame, typename Visitor>
 void visitHighLevelColumns(Frame& frame, Visitor&& visit) {
   visit("frame", frame.number);
-  visit("FAP1_viseme_select1", frame.viseme.select1);
-  visit("FAP1_viseme_select2", frame.viseme.select2);
-  visit("FAP1_viseme_blend", frame.viseme.blend);
-  visit("FAP1_viseme_def", frame.viseme.definition);
-  visit("FAP2_expression_select1", frame.expression.select1);
-  visit("FAP2_expression_intensity1", frame.expression.intensity1);
-  visit("FAP2_expression_select2", frame.expression.select2);
-  visit("FAP2_expression_intensity2", frame.expression.intensity2);
-  visit("FAP2_expression_init_face", frame.expression.initialFace);
-  visit("FAP2_expression_def", frame.expression.definition);
+  visitHighLevelFields(frame, visit);
 }
 
 std::string columnName(int fap) {

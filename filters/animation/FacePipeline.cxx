@@ -7,6 +7,7 @@
 #include "PipelineErrors.h"
 
 #include "vtkBoundaryCurveReader.h"
+#include "vtkCurveEditFilter.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
 #include "vtkFDTDeformationFilter.h"
@@ -49,6 +50,7 @@ struct FacePipeline::Internals
 {
   FaceState state;
   vtkNew<vtkBoundaryCurveReader> reader;
+  vtkNew<vtkCurveEditFilter> edit;
   vtkNew<vtkFAPReader> frames;
   vtkNew<vtkFAPAnimationFilter> animation;
   vtkNew<vtkPassThrough> curves;
@@ -61,14 +63,15 @@ struct FacePipeline::Internals
 
   Internals()
   {
-    animation->SetInputConnection(reader->GetOutputPort());
+    edit->SetInputConnection(reader->GetOutputPort());
+    animation->SetInputConnection(edit->GetOutputPort());
     curves->SetInputConnection(animation->GetOutputPort());
     face->SetInputConnection(curves->GetOutputPort());
     deformation->SetInputConnection(face->GetOutputPort());
     deformation->SetTableConnection(table->GetOutputPort());
     skin->SetInputConnection(face->GetOutputPort());
     surface->SetInputConnection(skin->GetOutputPort());
-    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{ reader, frames, animation, curves, face, table,
+    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{ reader, edit, frames, animation, curves, face, table,
            deformation, skin, surface })
       errors.observe(algorithm);
   }
@@ -77,7 +80,7 @@ struct FacePipeline::Internals
   void chooseCurves()
   {
     const bool around = !isAnimated(state) && !canBeAnimated(reader->GetOutput());
-    curves->SetInputConnection((around ? static_cast<vtkAlgorithm*>(reader) : animation)->GetOutputPort());
+    curves->SetInputConnection((around ? static_cast<vtkAlgorithm*>(edit) : animation)->GetOutputPort());
   }
 
   void setMotion()
@@ -176,6 +179,7 @@ struct FacePipeline::Internals
     if (!fault.empty())
     {
       reader->Modified();
+      edit->Modified();
       frames->Modified();
       table->Modified();
     }
@@ -222,6 +226,7 @@ void FacePipeline::setState(const FaceState& state)
 {
   this->Impl->state = state;
   this->Impl->reader->SetFileName(state.curvesFile.empty() ? nullptr : state.curvesFile.c_str());
+  this->Impl->edit->SetEdits(state.edits);
   this->Impl->setMotion();
   this->Impl->face->SetParameters(state.surface);
   this->Impl->setGrid();

@@ -15,8 +15,9 @@ class vtkPDEFaceFilter;
 class vtkStructuredGrid;
 
 /// The VTK pipeline that shows a FaceState, for every program:
-///   vtkBoundaryCurveReader --> vtkFAPAnimationFilter --> vtkPDEFaceFilter --> (vtkFDTDeformationFilter) --> vtkGeometryFilter
-///   vtkFAPReader (when there is a file) --^        vtkFDTReader (when there is a table) --^
+///   vtkBoundaryCurveReader --> vtkCurveEditFilter --> vtkFAPAnimationFilter --> vtkPDEFaceFilter -->
+///     (vtkFDTDeformationFilter) --> vtkGeometryFilter
+///   vtkFAPReader (when there is a file) to the animation, vtkFDTReader (when there is a table) to the deformation
 ///
 /// Setting a state touches only the filters whose properties differ, so that the next update does no more than it must.
 /// Errors are kept, not printed: update() returns them.
@@ -33,7 +34,7 @@ public:
   void setState(const FaceState& state);
   const FaceState& state() const;
 
-  vtkBoundaryCurveReader* neutralCurves() const;
+  vtkBoundaryCurveReader* neutralCurves() const;  ///< as read, before edits
   vtkFAPReader* frames() const;              ///< the animation file's; empty until a state with a file was updated
   vtkFAPAnimationFilter* animation() const;
   vtkAlgorithm* curves() const;    ///< vtkPolyData, the boundary curves as animated

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
-#include <vtksys/FStream.hxx>
 
-#include "FAPParser.h"
+#include "AnimationData.h"
+#include "AnimationText.h"
+#include "AnimationTextFile.h"
 #include "FAPTableData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -17,28 +18,18 @@ vtkStandardNewMacro(vtkFAPReader);
 
 namespace {
 
-/// Reads a file whole, or as far as is needed to tell that it is too large. Returns nothing, or what is wrong.
-std::string readText(const std::string& name, std::string& text) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(name, ignored)) return "this is a folder; give a .fap file";
-  vtksys::ifstream file(name.c_str(), std::ios::binary);
-  if (!file) return "it cannot be opened; give a .fap file that exists and may be read";
-  std::vector<char> block(std::size_t{1} << 16);
-  while (file && text.size() <= mien::largestFAPText) {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  return file.bad() ? "reading it failed; check the medium it is on" : "";
-}
-
 /// Returns nothing, or `FILE:LINE: what is wrong` (`FILE: what` for a file that cannot be read at all).
-std::string readSequence(const std::string& name, mien::FAPSequence& sequence) {
+std::string readSequence(const std::string& name, mien::FAPSequence& sequence, std::string& format) {
   if (name.empty()) return "there is no file name; set one with SetFileName";
   std::string text;
-  const std::string fault = readText(name, text);
-  if (!fault.empty()) return name + ": " + fault;
-  const std::optional<mien::FAPParseError> error = mien::parseFAP(text, sequence);
-  return error ? name + ":" + std::to_string(error->line) + ": " + error->message : "";
+  const std::string shown = name == "-" ? "standard input" : name;
+  const std::string fault = mien::readAnimationText(name, text);
+  if (!fault.empty()) return shown + ": " + fault;
+  const mien::FacialActionMap& map = mien::defaultFacialActions();
+  const auto recognised = mien::recogniseAnimation(text, map);
+  const auto error = mien::parseAnimation(text, recognised, map, sequence);
+  if (!error) format = mien::nameOf(*recognised);
+  return error ? shown + ":" + std::to_string(error->line) + ": " + error->message : "";
 }
 
 }  // namespace
@@ -53,19 +44,38 @@ vtkFAPReader::~vtkFAPReader() {
 
 int vtkFAPReader::CanReadFile(const char* fileName) {
   mien::FAPSequence sequence;
-  return fileName && readSequence(fileName, sequence).empty() ? 1 : 0;
+  std::string format;
+  return fileName && readSequence(fileName, sequence, format).empty() ? 1 : 0;
 }
 
 std::string vtkFAPReader::Load() {
   FileState state;
   state.Name = this->FileName ? this->FileName : "";
+  if (state.Name == "-" && this->Streams)
+    return this->Sequence->frames.empty() ? "standard input: no frame has come yet; wait for the first" : "";
   std::error_code ignored;
-  state.Modified = std::filesystem::last_write_time(state.Name, ignored).time_since_epoch().count();
-  state.Size = std::filesystem::file_size(state.Name, ignored);
+  if (state.Name != "-") state.Modified = std::filesystem::last_write_time(state.Name, ignored).time_since_epoch().count();
+  if (state.Name != "-") state.Size = std::filesystem::file_size(state.Name, ignored);
   if (!this->Sequence->frames.empty() && state == this->Loaded) return {};
-  const std::string fault = readSequence(state.Name, *this->Sequence);
+  const std::string fault = readSequence(state.Name, *this->Sequence, this->Format);
   if (fault.empty()) this->Loaded = state;
   return fault;
+}
+
+void vtkFAPReader::StartStream(double framesPerSecond, const std::string& name) {
+  *this->Sequence = mien::FAPSequence();
+  this->Sequence->framesPerSecond = framesPerSecond;
+  this->Sequence->name = name;
+  this->Format = mien::nameOf(mien::AnimationFormat::FAP);
+  this->Loaded = FileState();
+  this->Loaded.Name = "-";
+  this->Streams = true;
+  this->Modified();
+}
+
+void vtkFAPReader::AppendFrame(const mien::FAPFrame& frame) {
+  this->Sequence->frames.push_back(frame);
+  this->Modified();
 }
 
 int vtkFAPReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
@@ -113,6 +123,10 @@ double vtkFAPReader::GetFramesPerSecond() const {
   return this->Sequence->framesPerSecond;
 }
 
+std::string vtkFAPReader::GetFormat() const {
+  return this->Format;
+}
+
 std::string vtkFAPReader::GetName() const {
   return this->Sequence->name;
 }
@@ -147,6 +161,7 @@ void vtkFAPReader::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "FrameIndex: " << this->FrameIndex << "\n";
   os << indent << "Interpolate: " << (this->Interpolate ? "on" : "off") << "\n";
   os << indent << "Loaded: " << this->Loaded.Name << "\n";
+  os << indent << "Format: " << this->Format << "\n";
   os << indent << "Name: " << this->GetName() << "\n";
   os << indent << "Version: " << this->GetVersion() << "\n";
   os << indent << "NumberOfFrames: " << this->GetNumberOfFrames() << "\n";

@@ -1,12 +1,13 @@
 /**
  * @class vtkFAPReader
- * @brief reads an MPEG-4 facial animation (.fap) and gives its frames over time
+ * @brief reads an MPEG-4 facial animation (.fap, or a table) and gives its frames over time
  *
  * Output: vtkTable with one row; double columns `frame`, `FAP1_viseme_select1` .. `FAP2_expression_def` and
  * `FAP3` .. `FAP68` (FAP units) as described in FAPTableData.h. The reader publishes TIME_STEPS (s; frame i, from 0,
  * is at i / frames per second) and TIME_RANGE, and answers UPDATE_TIME_STEP; the information of the output carries
  * DATA_TIME_STEP, the time of the frame given. Without a time request it gives the first frame.
- * The format, and what is accepted with a warning, is described in FAPParser.h.
+ * Formats, and what is accepted with a warning: .fap (FAPParser.h); tables with a header (.csv) of FAPs (FAPCsvParser.h),
+ * FACS action units or ARKit blendshapes (CaptureParser.h), which is seen from the header.
  * Errors: `FILE:LINE: what is wrong`. What was loaded before a refused file stays, with all that the getters say.
  * @sa vtkFAPAnimationFilter
  */
@@ -21,6 +22,7 @@
 #include "vtkTableAlgorithm.h"
 
 namespace mien {
+class FAPFrame;
 struct FAPSequence;
 }
 
@@ -32,7 +34,7 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
 
   ///@{
   /**
-   * The .fap file. It is read again when it has changed on disk and the reader is updated after Modified().
+   * The .fap or .csv file, or "-" for standard input. It is read again when it has changed on disk and the reader is updated after Modified().
    * Default: none.
    */
   vtkSetFilePathMacro(FileName);
@@ -52,13 +54,23 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
   vtkBooleanMacro(Interpolate, bool);
   ///@}
 
-  /** Whether a file is a .fap file without a fault: 1 or 0, in silence. */
+  ///@{
+  /**
+   * Frames that come from elsewhere, for a stream that is still being written. StartStream() takes the place of the file:
+   * FileName "-" then stands for the frames appended since. Without it "-" is standard input, read to its end.
+   */
+  void StartStream(double framesPerSecond, const std::string& name);
+  void AppendFrame(const mien::FAPFrame& frame);
+  ///@}
+
+  /** Whether a file is one of these without a fault: 1 or 0, in silence. */
   static int CanReadFile(const char* fileName);
 
   ///@{
   /** What the file loaded last says; call UpdateInformation() first. */
   int GetNumberOfFrames() const;
   double GetFramesPerSecond() const;
+  std::string GetFormat() const;   ///< "FAPs (.fap)", "FAPs (table)", "FACS action units", "ARKit blendshapes"
   std::string GetName() const;
   std::string GetVersion() const;                ///< "2.0" or "2.1"; empty when the file has no header
   std::vector<std::string> GetWarnings() const;  ///< each `FILE:LINE: what`, in the order of the lines
@@ -82,6 +94,8 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
   std::string Load();
 
   char* FileName = nullptr;
+  std::string Format;
+  bool Streams = false;
   int FrameIndex = -1;
   bool Interpolate = false;
 

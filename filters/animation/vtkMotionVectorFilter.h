@@ -2,15 +2,20 @@
  * @class vtkMotionVectorFilter
  * @brief motion vectors from one surface to another of the same topology
  *
- * Inputs: port 0 the moved surface, port 1 the neutral one (any vtkPointSet each, mm), with the same points and cells.
- * Output: vtkPolyData with one vertex per point at the neutral point (the origin of the vector), the neutral point arrays,
- * and the point arrays (double) `MotionVector` (3 components, mm), `Magnitude` (mm, length of the vector in space),
- * `ProjectedOrigin` and `ProjectedVector` (2 components, mm: right and up in the plane of the picture).
+ * Inputs: port 0 the moved surface, port 1 the neutral one (any vtkPointSet each, mm: polygons, structured grids ...),
+ * with the same points and cells. Output: vtkPolyData with one vertex per point at the neutral point (the origin of the
+ * vector), the neutral point arrays, and the point arrays (double) `MotionVector` (3 components, mm), `Magnitude` (mm,
+ * length of the vector in space), `ProjectedOrigin` and `ProjectedVector` (2 components, mm: right and up in the plane
+ * of the picture).
  *
- * Equation: vector = moved - neutral [Sheng et al. 2011, section 5]; the projection is orthogonal along ViewDirection. With
- * RemoveRigidMotion the rigid motion that takes the neutral points nearest to the moved ones [Kabsch 1976] is undone first.
- * Limitations: the fit sees all points alike, so that a large one-sided movement is taken for a little head motion.
- * Errors: an input without points, points that are not finite, different topology, a view up along the view direction.
+ * Equation: vector = moved - neutral [Sheng et al. 2011, section 5]; the projection is orthogonal along ViewDirection.
+ * With RemoveHeadRotation each surface is first turned back by its own field array `HeadRotation` (1 x 12, as
+ * vtkFAPAnimationFilter writes it); with RemoveRigidMotion the rigid motion that then takes the neutral points nearest
+ * to the moved ones [Kabsch 1976] is undone. With neither a vector is the difference of its points to the bit. Time:
+ * the steps of both inputs are published, and a time request is passed on to both. Pieces: those of the inputs; while
+ * RemoveRigidMotion is on, all is in piece 0, because the fit needs all points. Limitations: the fit sees all points
+ * alike, so that a large one-sided movement is taken for a little head motion. Errors: an input without points, points
+ * that are not finite, different topology, a `HeadRotation` that is none, a view up along the view direction.
  * @sa vtkFAPAnimationFilter
  */
 #ifndef vtkMotionVectorFilter_h
@@ -37,10 +42,17 @@ class MIENANIMATION_EXPORT vtkMotionVectorFilter : public vtkPolyDataAlgorithm {
   ///@}
 
   ///@{
-  /** Whether the motion of the head as a whole is removed. Default off. */
+  /** Whether the rigid motion of all points, found by least squares, is removed. Default off. */
   vtkSetMacro(RemoveRigidMotion, bool);
   vtkGetMacro(RemoveRigidMotion, bool);
   vtkBooleanMacro(RemoveRigidMotion, bool);
+  ///@}
+
+  ///@{
+  /** Whether the head's rotation that the inputs know is undone; nothing for inputs without the array. Default off. */
+  vtkSetMacro(RemoveHeadRotation, bool);
+  vtkGetMacro(RemoveHeadRotation, bool);
+  vtkBooleanMacro(RemoveHeadRotation, bool);
   ///@}
 
   ///@{
@@ -56,7 +68,8 @@ class MIENANIMATION_EXPORT vtkMotionVectorFilter : public vtkPolyDataAlgorithm {
   ///@}
 
   ///@{
-  /** Results of the last update: the longest vector (mm), and the rigid motion removed (degrees; 9 numbers row by row; mm). */
+  /** Results of the last update: the longest vector (mm), and the rigid motion removed (degrees; 9 numbers row by row;
+   * mm). */
   vtkGetMacro(LargestMagnitude, double);
   vtkGetMacro(RigidAngle, double);
   std::vector<double> GetRigidRotation() const { return this->RigidRotation; }
@@ -67,6 +80,8 @@ class MIENANIMATION_EXPORT vtkMotionVectorFilter : public vtkPolyDataAlgorithm {
   vtkMotionVectorFilter();
   ~vtkMotionVectorFilter() override = default;
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:
@@ -75,9 +90,10 @@ class MIENANIMATION_EXPORT vtkMotionVectorFilter : public vtkPolyDataAlgorithm {
 
   struct Field;
   std::string Compute(vtkPointSet* moved, vtkPointSet* neutral, Field& field);
-  void Write(vtkPointSet* neutral, const Field& field, vtkPolyData* output);
+  bool Write(vtkPointSet* neutral, const Field& field, vtkPolyData* output);
 
   bool RemoveRigidMotion = false;
+  bool RemoveHeadRotation = false;
   double ViewDirection[3] = {0.0, 0.0, 1.0};
   double ViewUp[3] = {0.0, 1.0, 0.0};
   double LargestMagnitude = 0.0;

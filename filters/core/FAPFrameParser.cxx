@@ -31,8 +31,11 @@ class Limiter {
   }
 };
 
-/// @return whether something was out of range
-bool limit(Viseme& v, Expression& e) {
+}  // namespace
+
+bool limitHighLevel(FAPFrame& frame) {
+  Viseme& v = frame.viseme;
+  Expression& e = frame.expression;
   Limiter limiter;
   for (double* selection : {&v.select1, &v.select2}) limiter.selection(*selection, largestViseme);
   for (double* selection : {&e.select1, &e.select2}) limiter.selection(*selection, largestExpression);
@@ -40,6 +43,8 @@ bool limit(Viseme& v, Expression& e) {
   for (double* flag : {&v.definition, &e.initialFace, &e.definition}) limiter.flag(*flag);
   return limiter.changed;
 }
+
+namespace {
 
 std::string countFault(std::size_t found, std::size_t expected) {
   return "there are " + std::to_string(found) + " numbers; the mask before asks for " + std::to_string(expected) +
@@ -110,7 +115,7 @@ bool FAPFrameParser::readHighLevel(bool singleValues, FAPFrame& frame) {
   if (mask_[1] && singleValues) e.intensity1 = e.select1 == 0.0 ? 0.0 : largestWeight;
   if (mask_[1] && !singleValues)
     for (double* value : {&e.intensity1, &e.select2, &e.intensity2, &e.initialFace, &e.definition}) *value = take();
-  return limit(v, e);
+  return limitHighLevel(frame);
 }
 
 }  // namespace mien

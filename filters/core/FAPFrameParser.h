@@ -9,6 +9,10 @@
 
 namespace mien {
 
+/// Brings the fields of FAP 1 and 2 into their ranges: selections 0 .. 14 and 0 .. 6 (others select nothing), weights
+/// 0 .. 63, flags 0 or 1. @return whether something was out of range
+bool limitHighLevel(FAPFrame& frame);
+
 /// Reads the mask and value lines of a .fap file, entry by entry, and appends their frames; see FAPParser.h.
 class FAPFrameParser {
  public:

@@ -5,15 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "FAPLineParser.h"
 #include "FAPSequence.h"
 
 namespace mien {
-
-/// Why a text is no FAP sequence, and in which line (from 1).
-struct FAPParseError {
-  int line;
-  std::string message;
-};
 
 constexpr std::size_t largestFAPText = std::size_t{256} << 20;       ///< bytes; about a million frames
 constexpr std::size_t longestFAPLine = std::size_t{64} << 10;        ///< bytes; a line of numbers needs less than 3,000

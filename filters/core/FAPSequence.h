@@ -25,6 +25,7 @@ struct FAPSequence {
   std::string version;  ///< "2.0" or "2.1" as written; empty when the file has no header
   std::string name;
   double framesPerSecond = 25.0;
+  bool rateIsAssumed = false;  ///< the file does not say how fast it plays
   std::optional<std::int64_t> declaredFrameCount;  ///< what the header says; the frames themselves are what counts
   std::vector<FAPFrame> frames;
   std::vector<FAPMask> masks;  ///< as written, one per frame, or none for frames of other origin

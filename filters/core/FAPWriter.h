@@ -14,4 +14,10 @@ namespace mien {
 /// rate that is not read); the text is then as it was
 std::string writeFAP(const FAPSequence& sequence, std::string& text);
 
+/// Why no file can hold a sequence, or nothing.
+std::string describeUnwritable(const FAPSequence& sequence);
+
+/// A name as a line of text can hold it.
+std::string writtenFAPName(std::string name);
+
 }  // namespace mien

@@ -27,15 +27,34 @@ double sampleRadius(const EarlessSkin& skin, const FaceProfiles& profiles, int c
   return w < 1.0 ? contact + (1.0 - w) * skin.radius(azimuth, y) : contact;
 }
 
+/// Where a scan ends at a rim near the outermost curves, they run along the rim: the nearest height towards the face's middle that has skin.
+double heightWithSkin(const EarlessSkin& skin, double azimuth, double y, double middle) {
+  constexpr double farthest = 15.0, step = 0.5, exactly = 0.01;  // mm
+  if (std::isfinite(skin.radius(azimuth, y))) return y;
+  const double way = y > middle ? -1.0 : 1.0;
+  double out = 0.0, in = step;
+  while (in <= farthest && !std::isfinite(skin.radius(azimuth, y + way * in))) in += step;
+  if (in > farthest) return y;
+  out = in - step;
+  while (in - out > exactly) {
+    const double half = 0.5 * (in + out);
+    (std::isfinite(skin.radius(azimuth, y + way * half)) ? in : out) = half;
+  }
+  return y + way * in;
+}
+
 std::string missingSkin(int curve, int j, double y) {
   return "the scan has no skin at point " + std::to_string(j) + " of curve " + FaceLayout::curveName(curve) + " (height " +
          std::to_string(y) + " mm); the head must be whole all around";
 }
 
 std::string sampleCurves(const EarlessSkin& skin, const FaceProfiles& profiles, ClosedCurves& curves) {
+  const double middle = 0.5 * (profiles.height(0, 0.0) + profiles.height(curves.count - 1, 0.0));
   for (int c = 0; c < curves.count; ++c)
     for (int j = 0; j < curves.pointsPerCurve; ++j) {
-      const double azimuth = sampleAzimuth(2.0 * M_PI * j / curves.pointsPerCurve), y = profiles.height(c, azimuth);
+      const double azimuth = sampleAzimuth(2.0 * M_PI * j / curves.pointsPerCurve);
+      const bool outermost = c < 4 || c >= curves.count - 4;
+      const double wanted = profiles.height(c, azimuth), y = outermost ? heightWithSkin(skin, azimuth, wanted, middle) : wanted;
       const double radius = sampleRadius(skin, profiles, c, azimuth, y);
       if (!std::isfinite(radius)) return missingSkin(c, j, y);
       curves.curve(c).row(j) = skin.axis().point(azimuth, y, radius);

@@ -3,6 +3,7 @@
 #include "FaceLayout.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mien {
 
@@ -42,6 +43,18 @@ std::string describeFeatureFault(const FaceCurves& face) {
 const FeaturePoint* FaceCurves::feature(const std::string& id) const {
   const auto found = std::find_if(features.begin(), features.end(), [&](const auto& f) { return f.id == id; });
   return found == features.end() ? nullptr : &*found;
+}
+
+int countCrossings(const ClosedCurves& curves) {
+  constexpr int placesPerSample = 8;
+  constexpr double allowed = 0.1;  // mm, what contact may leave between samples
+  int crossings = 0;
+  for (int i = 0; i < placesPerSample * curves.pointsPerCurve; ++i) {
+    const Eigen::VectorXd weights = cardinalWeights(curves.pointsPerCurve, 2.0 * M_PI * i / (placesPerSample * curves.pointsPerCurve));
+    for (int c = 0; c + 1 < curves.count; ++c)
+      crossings += weights.dot(curves.curve(c).col(1)) < weights.dot(curves.curve(c + 1).col(1)) - allowed;
+  }
+  return crossings;
 }
 
 std::string describeFault(const FaceCurves& face) {

@@ -28,6 +28,9 @@ struct FaceCurves {
   const FeaturePoint* feature(const std::string& id) const;
 };
 
+/// At how many places, eight for every sample, a curve lies more than 0.1 mm below the next one.
+int countCrossings(const ClosedCurves& curves);
+
 /// One sentence that says what makes the curves unusable as a face (count, NaN, too few points,
 /// curves whose order down the face is crossed at some v), or nothing.
 std::string describeFault(const FaceCurves& face);

@@ -59,15 +59,6 @@ constexpr std::array<PairPlace, 25> pairPlaces = {{
     {"11.3", "11.2", "C2", 25, 25, 1.0},    // beyond 4.3
 }};
 
-/// The landmark of the other side.
-int mirrorLandmark(int i) {
-  constexpr std::array<std::pair<int, int>, 11> pairs = {{{12, 4}, {13, 3}, {22, 21}, {25, 18}, {26, 17}, {35, 31},
-                                                          {42, 39}, {45, 36}, {46, 41}, {52, 50}, {54, 48}}};
-  for (const auto& [left, right] : pairs)
-    if (i == left) return right;
-  return i == 55 ? 59 : 60;  // 55 and 64
-}
-
 double distanceFromMidline(const FaceLandmarks& landmarks, int landmark) {
   return 0.5 * std::abs(landmarks[landmark].x() - landmarks[mirrorLandmark(landmark)].x());
 }

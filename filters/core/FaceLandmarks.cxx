@@ -39,6 +39,28 @@ HeadAxis headAxis(const FaceLandmarks& landmarks) {
   return axis;
 }
 
+int mirrorLandmark(int landmark) {
+  struct Range {
+    int first, last, sum;  ///< landmark and mirror image add up to the sum
+  };
+  constexpr std::array<Range, 10> ranges = {{{0, 16, 16}, {17, 26, 43}, {31, 35, 66}, {36, 39, 81}, {42, 45, 81},
+                                             {40, 41, 87}, {46, 47, 87}, {48, 54, 102}, {55, 59, 114}, {60, 64, 124}}};
+  for (const Range& range : ranges)
+    if (landmark >= range.first && landmark <= range.last) return range.sum - landmark;
+  return landmark >= 65 ? 132 - landmark : landmark;
+}
+
+FaceLandmarks symmetrised(const FaceLandmarks& landmarks) {
+  FaceLandmarks result;
+  for (int i = 0; i < FaceLandmarks::count; ++i) {
+    const Eigen::Vector3d p = landmarks[i], q = landmarks[mirrorLandmark(i)];
+    result.points.row(i) << 0.5 * (p.x() - q.x()), 0.5 * (p.y() + q.y()), 0.5 * (p.z() + q.z());
+  }
+  return result;
+}
+
+double eyeDistance(const FaceLandmarks& landmarks) { return (landmarks[45] - landmarks[36]).norm(); }
+
 std::string describeFault(const FaceLandmarks& landmarks) {
   for (int i = 0; i < FaceLandmarks::count; ++i)
     if (!landmarks[i].allFinite()) return "landmark " + std::to_string(i) + " is not a finite position";

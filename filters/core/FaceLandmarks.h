@@ -19,6 +19,15 @@ struct FaceLandmarks {
   Eigen::Vector3d operator[](int landmark) const { return points.row(landmark); }
 };
 
+/// The landmark on the other side of the face; itself on the midline.
+int mirrorLandmark(int landmark);
+
+/// The mean of landmarks and their mirror image in x.
+FaceLandmarks symmetrised(const FaceLandmarks& landmarks);
+
+/// The distance of the outer eye corners, mm.
+double eyeDistance(const FaceLandmarks& landmarks);
+
 /// The axis the face is measured from: x on the midline of nose and lips, z behind the eyes by 0.7 of the distance of
 /// their outer corners.
 HeadAxis headAxis(const FaceLandmarks& landmarks);

@@ -18,8 +18,17 @@ std::string number(double value) {
 }
 
 auto members(const FaceState& s) {
-  return std::tie(s.curvesFile, s.surface, s.rows, s.columns, s.uniformRows, s.doublePrecision, s.fapFile, s.frameChoice,
-                  s.frame, s.interpolateFrames, s.animationTable, s.fapValues, s.expressions, s.deformation);
+  return std::tie(s.curvesFile, s.edits, s.surface, s.rows, s.columns, s.uniformRows, s.doublePrecision, s.fapFile,
+                  s.frameChoice, s.frame, s.interpolateFrames, s.animationTable, s.fapValues, s.expressions,
+                  s.deformation, s.texture, s.textureMesh);
+}
+
+std::string describeEditFault(const FaceState& state, int pointsPerCurve) {
+  for (size_t i = 0; i < state.edits.size(); ++i) {
+    const std::string fault = describeFault(state.edits[i], pointsPerCurve);
+    if (!fault.empty()) return "edit " + std::to_string(i + 1) + ": " + fault;
+  }
+  return {};
 }
 
 std::string describeFrameFault(const FaceState& state) {
@@ -67,7 +76,7 @@ bool FaceState::operator==(const FaceState& other) const { return members(*this)
 
 std::string describeFault(const FaceState& state, int pointsPerCurve) {
   for (const std::string& fault : {describeFault(state.surface, pointsPerCurve), describeResolutionFault(state.rows, state.columns, RowLayout::minimumRows),
-                                   describeFrameFault(state), describeFAPFault(state),
+                                   describeEditFault(state, pointsPerCurve), describeFrameFault(state), describeFAPFault(state),
                                    describeExpressionFault(state), describeDeformationFault(state)})
     if (!fault.empty()) return fault;
   return {};

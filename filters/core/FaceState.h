@@ -1,10 +1,12 @@
 #pragma once
 
+#include "CurveEdit.h"
 #include "FaceSurface.h"
 #include "GridResolution.h"
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace mien {
 
@@ -34,6 +36,7 @@ struct FaceState {
   };
 
   std::string curvesFile;      ///< .vtp of boundary curves; empty: the generic face
+  std::vector<CurveEdit> edits;  ///< of the neutral curves, one after the other
   FaceSurfaceOptions surface;  ///< scheme, a per patch, N, remainder, derivative strength
 
   int rows = 56;     ///< of the uv mesh, both lip rows counted
@@ -51,6 +54,9 @@ struct FaceState {
   std::map<std::string, double> expressions;  ///< "joy" .. to 0 .. 1; several mix
 
   FaceDeformation deformation;
+
+  std::string texture;      ///< photograph, .png .jpg .tif; empty: none
+  std::string textureMesh;  ///< .csv of the photograph's warp mesh; empty: beside the photograph under its name
 
   bool operator==(const FaceState& other) const;
   bool operator!=(const FaceState& other) const { return !(*this == other); }

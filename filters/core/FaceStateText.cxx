@@ -1,7 +1,10 @@
 #include "FaceStateText.h"
 
+#include "FaceLayout.h"
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -127,6 +130,47 @@ void readDeformation(const json& object, FaceState& state, std::string& fault) {
   members.refuseOthers();
 }
 
+void readTexture(const json& object, FaceState& state, std::string& fault) {
+  Members members(object, "texture", fault);
+  members.read("image", state.texture);
+  members.read("mesh", state.textureMesh);
+  members.refuseOthers();
+}
+
+void readMove(Members& members, CurveEdit& edit) {
+  const json* move = members.find("move");
+  if (!move) return;
+  const auto isNumber = [](const json& value) { return value.is_number(); };
+  if (!move->is_array() || move->size() != 3 || !std::all_of(move->begin(), move->end(), isNumber))
+    return members.fail("move", "is no list of three numbers");
+  for (int i = 0; i < 3; ++i) edit.move[i] = (*move)[i].get<double>();
+}
+
+CurveEdit readEdit(const json& object, const std::string& path, std::string& fault) {
+  Members members(object, path, fault);
+  CurveEdit edit;
+  std::string curve;
+  members.read("curve", curve);
+  edit.curve = FaceLayout::curveIndex(curve);
+  if (edit.curve < 0) members.fail("curve", "is no curve; they are C1 .. C28 and C22'");
+  members.read("v", edit.v);
+  readMove(members, edit);
+  members.read("width", edit.width);
+  members.read("spread", edit.spread);
+  members.read("mirrored", edit.mirrored);
+  members.refuseOthers();
+  return edit;
+}
+
+void readEdits(const json& list, FaceState& state, std::string& fault) {
+  if (!list.is_array()) {
+    if (fault.empty()) fault = "face state: 'edits' is no list";
+    return;
+  }
+  for (size_t i = 0; i < list.size() && fault.empty(); ++i)
+    state.edits.push_back(readEdit(list[i], "edits[" + std::to_string(i) + "]", fault));
+}
+
 void readFAPValues(const json& object, FaceState& state, std::string& fault) {
   Members members(object, "fap_values", fault);
   if (!object.is_object()) return;
@@ -155,12 +199,14 @@ void readAll(const json& object, FaceState& state, std::string& fault) {
   members.read("curves", state.curvesFile);
   members.read("animation_table", state.animationTable);
   using Section = void (*)(const json&, FaceState&, std::string&);
-  const std::pair<const char*, Section> sections[] = {{"surface", readSurface},
+  const std::pair<const char*, Section> sections[] = {{"edits", readEdits},
+                                                      {"surface", readSurface},
                                                       {"grid", readGrid},
                                                       {"animation", readAnimation},
                                                       {"expressions", readExpressions},
                                                       {"fap_values", readFAPValues},
-                                                      {"deformation", readDeformation}};
+                                                      {"deformation", readDeformation},
+                                                      {"texture", readTexture}};
   for (const auto& [key, read] : sections)
     if (const json* section = members.find(key)) read(*section, state, fault);
   members.refuseOthers();
@@ -178,12 +224,25 @@ json fapValues(const FaceState& state) {
   return values;
 }
 
+json editsOf(const FaceState& state) {
+  json list = json::array();
+  for (const CurveEdit& edit : state.edits)
+    list.push_back({{"curve", FaceLayout::curveName(edit.curve)},
+                    {"v", edit.v},
+                    {"move", {edit.move.x(), edit.move.y(), edit.move.z()}},
+                    {"width", edit.width},
+                    {"spread", edit.spread},
+                    {"mirrored", edit.mirrored}});
+  return list;
+}
+
 }  // namespace
 
 std::string writeFaceState(const FaceState& state) {
   json object;
   object[versionKey] = faceStateVersion;
   if (!state.curvesFile.empty()) object["curves"] = state.curvesFile;
+  if (!state.edits.empty()) object["edits"] = editsOf(state);
   object["surface"] = {{"scheme", state.surface.scheme},
                        {"a", state.surface.smoothing},
                        {"harmonics", state.surface.modes},
@@ -203,6 +262,8 @@ std::string writeFaceState(const FaceState& state) {
     object["deformation"] = {{"table", state.deformation.table},
                              {"strength", state.deformation.strength},
                              {"smooth", state.deformation.smooth}};
+  if (!state.texture.empty()) object["texture"]["image"] = state.texture;
+  if (!state.textureMesh.empty()) object["texture"]["mesh"] = state.textureMesh;
   // Names of files may hold any bytes; what is no UTF-8 is replaced rather than thrown at.
   return object.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }

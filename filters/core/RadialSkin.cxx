@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/QR>
+
 namespace mien {
 
 namespace {
@@ -75,6 +77,51 @@ double RadialSkin::radius(double azimuth, double y) const {
     if (r > 0.0 && !(r <= outermost)) outermost = r;
   }
   return outermost;
+}
+
+namespace {
+
+constexpr int ringPoints = 24;
+
+/// Skin around a place: offsets across and up (mm), and radii; nothing unless most of the ring has skin on all sides.
+bool ringOf(const RadialSkin& skin, double azimuth, double y, double size, double width, std::vector<Eigen::Vector3d>& ring) {
+  int sides[4] = {};
+  for (int i = 0; i < ringPoints; ++i) {
+    const double angle = 2.0 * M_PI * i / ringPoints, x = width * std::cos(angle), up = width * std::sin(angle);
+    const double r = skin.radius(azimuth + x / size, y + up);
+    if (!std::isfinite(r)) continue;
+    ring.emplace_back(x, up, r);
+    ++sides[4 * i / ringPoints];
+  }
+  return *std::min_element(sides, sides + 4) >= ringPoints / 4 - 2;
+}
+
+/// Value in the middle of the quadratic that fits best.
+double quadraticMiddle(const std::vector<Eigen::Vector3d>& ring) {
+  Eigen::MatrixXd basis(ring.size(), 6);
+  Eigen::VectorXd radii(ring.size());
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const double x = ring[i].x(), y = ring[i].y();
+    basis.row(static_cast<Eigen::Index>(i)) << 1.0, x, y, x * x, x * y, y * y;
+    radii[static_cast<Eigen::Index>(i)] = ring[i].z();
+  }
+  return basis.colPivHouseholderQr().solve(radii)[0];
+}
+
+}  // namespace
+
+double RadialSkin::filledRadius(double azimuth, double y) const {
+  const double direct = radius(azimuth, y);
+  if (std::isfinite(direct)) return direct;
+  constexpr double headRadius = 80.0;  // mm; turns widths into angles, no more
+  constexpr double step = 1.5, widest = 15.0;
+  for (double width = step; width <= widest; width += step) {
+    std::vector<Eigen::Vector3d> ring;
+    if (!ringOf(*this, azimuth, y, headRadius, width, ring)) continue;
+    for (int more = 1; more <= 2; ++more) ringOf(*this, azimuth, y, headRadius, width + more * step, ring);
+    return quadraticMiddle(ring);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 std::string describeFault(const TriangleMesh& mesh) {

@@ -6,8 +6,11 @@ namespace mien {
 
 /// A surface of triangles: vertices in mm, three vertex indices per triangle.
 struct TriangleMesh {
-  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> vertices;
-  Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor> triangles;
+  using Vertices = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+  Vertices vertices;
+  Triangles triangles;
 };
 
 }  // namespace mien

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "MienSurfaceModule.h"
+
 #include "vtkSmartPointer.h"
 
 #include <functional>
@@ -22,7 +24,7 @@ struct DistanceSummary
 };
 
 /// Distances of points to a fixed triangulated surface. Safe to call from several threads.
-class SurfaceDistance
+class MIENSURFACE_EXPORT SurfaceDistance
 {
 public:
   /// @param triangles  see trianglesOf(); must not change afterwards

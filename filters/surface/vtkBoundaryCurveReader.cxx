@@ -1,14 +1,18 @@
 #include "vtkBoundaryCurveReader.h"
 
 #include "BoundaryCurveData.h"
+#include "CompactFaceFile.h"
 #include "GenericFaceFile.h"
 #include "XMLDataFile.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkXMLPolyDataReader.h"
 
 vtkStandardNewMacro(vtkBoundaryCurveReader);
@@ -27,6 +31,48 @@ std::string readXML(const std::string& name, vtkXMLPolyDataReader* reader)
   return {};
 }
 
+/// @return nothing, or one sentence that names the file
+std::string readFace(const std::string& name, vtkPolyData* output)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  std::string fault = readXML(name, reader);
+  if (!fault.empty())
+    return fault;
+  mien::FaceCurves face;
+  fault = mien::readFaceCurves(reader->GetOutput(), face);
+  if (!fault.empty())
+    return (name.empty() ? "the generic face" : name) + ": " + fault;
+  mien::writeFaceCurves(face, output);
+  return {};
+}
+
+void addStatement(const mien::CompactFace& compact, vtkFieldData* fields)
+{
+  vtkNew<vtkDoubleArray> error;
+  error->SetName("StoredError");
+  error->SetNumberOfComponents(2);
+  error->InsertNextTuple2(compact.rmsError, compact.maximumError);
+  fields->AddArray(error);
+  if (compact.name.empty())
+    return;
+  vtkNew<vtkStringArray> name;
+  name->SetName("FaceName");
+  name->InsertNextValue(compact.name);
+  fields->AddArray(name);
+}
+
+/// @return nothing, or one sentence that names the file
+std::string readCompact(const std::string& name, vtkPolyData* output)
+{
+  mien::CompactFace compact;
+  const std::string fault = mien::readCompactFaceFile(name, compact);
+  if (!fault.empty())
+    return fault;
+  mien::writeFaceCurves(compact.face, output);
+  addStatement(compact, output->GetFieldData());
+  return {};
+}
+
 } // namespace
 
 vtkBoundaryCurveReader::vtkBoundaryCurveReader()
@@ -42,21 +88,13 @@ vtkBoundaryCurveReader::~vtkBoundaryCurveReader()
 int vtkBoundaryCurveReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   const std::string name = this->FileName ? this->FileName : "";
-  vtkNew<vtkXMLPolyDataReader> reader;
-  std::string fault = readXML(name, reader);
-  mien::FaceCurves face;
-  if (fault.empty())
-  {
-    fault = mien::readFaceCurves(reader->GetOutput(), face);
-    if (!fault.empty())
-      fault = (name.empty() ? "the generic face" : name) + ": " + fault;
-  }
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const std::string fault = mien::isCompactFaceFile(name) ? readCompact(name, output) : readFace(name, output);
   if (!fault.empty())
   {
     vtkErrorMacro(<< fault);
     return 0;
   }
-  mien::writeFaceCurves(face, vtkPolyData::GetData(outputs));
   return 1;
 }
 

@@ -2,9 +2,11 @@
  * @class vtkBoundaryCurveReader
  * @brief reads and checks the boundary curves of a face; without a file, gives the generic face
  *
- * Output: vtkPolyData with 29 closed polylines as described in BoundaryCurveData.h (lengths in mm).
- * Errors: a file that cannot be read; curves missing, with too few points, not finite or crossed. The
+ * Output: vtkPolyData with 29 closed polylines as described in BoundaryCurveData.h (lengths in mm). From a compact face file also the
+ * field arrays `StoredError` (1 x 2: RMS and largest distance to the curves that were stored, mm) and, where it has one, `FaceName`.
+ * Errors: a file that cannot be read, is damaged or cut off; curves missing, with too few points, not finite or crossed. The
  * message names the file and the curve, and there is no output.
+ * @sa vtkCompactFaceWriter
  */
 #ifndef vtkBoundaryCurveReader_h
 #define vtkBoundaryCurveReader_h
@@ -20,7 +22,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The .vtp file. Default: none, which gives the generic face that is compiled in. */
+  /** The .vtp or .mienz file. Default: none, which gives the generic face that is compiled in. */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
   ///@}

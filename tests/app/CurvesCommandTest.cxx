@@ -1,14 +1,13 @@
-#include "FaceFiles.h"
-#include "FaceLayout.h"
-#include "FacePipeline.h"
-#include "Program.h"
-
-#include "vtkAlgorithm.h"
-
 #include <gtest/gtest.h>
 
 #include <charconv>
 #include <sstream>
+
+#include "FaceFiles.h"
+#include "FaceLayout.h"
+#include "FacePipeline.h"
+#include "Program.h"
+#include "vtkAlgorithm.h"
 
 namespace {
 
@@ -44,7 +43,9 @@ TEST(CurvesCommand, TableHoldsTheNeutralCurves) {
 TEST(CurvesCommand, TableHoldsTheAnimatedCurves) {
   const TemporaryFolder folder;
   const std::string demo = std::string(MIEN_DATA_DIR) + "/animation/demo.fap";
-  ASSERT_EQ(runMien({"curves", "--fap", demo, "--frame", "60", "--set", "53=200,54=200", "-o", folder.file("c.csv")}).exitCode, 0);
+  ASSERT_EQ(runMien({"curves", "--fap", demo, "--frame", "60", "--set", "53=200,54=200", "-o", folder.file("c.csv")})
+                .exitCode,
+            0);
   mien::FaceState state;
   state.fapFile = demo;
   state.frameChoice = mien::FaceState::FrameChoice::Number;
@@ -63,7 +64,45 @@ TEST(CurvesCommand, TheFileIsAFaceAgain) {
   ASSERT_EQ(runMien({"curves", "-o", folder.file("c.vtp")}).exitCode, 0);
   ASSERT_EQ(runMien({"curves", "--face", folder.file("c.vtp"), "-o", folder.file("c.csv")}).exitCode, 0);
   expectTable(folder.file("c.csv"), genericFace().curves);
-  EXPECT_EQ(runMien({"surface", "--face", folder.file("c.vtp"), "--expression", "joy", "-o", folder.file("s.vtp")}).exitCode, 0);
+  EXPECT_EQ(
+      runMien({"surface", "--face", folder.file("c.vtp"), "--expression", "joy", "-o", folder.file("s.vtp")}).exitCode,
+      0);
+}
+
+TEST(CurvesCommand, ACompactFaceServesWhereverCurvesDo) {
+  const TemporaryFolder folder;
+  const std::string face = folder.file("c.mienz");
+  ASSERT_EQ(runMien({"curves", "--tolerance", "0.1mm", "--name", "Anna", "-o", face}).exitCode, 0);
+  EXPECT_LE(std::filesystem::file_size(face), 1300u);
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"surface", "--expression", "joy", "-o", folder.file("s.ply")},
+        {"curves", "--set", "3=500", "-o", folder.file("d.vtp")},
+        {"spectrum"},
+        {"continuity"}}) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--face", face});
+    const Outcome outcome = runMien(all);
+    EXPECT_EQ(outcome.exitCode, 0) << arguments[0] << ": " << outcome.errors;
+    EXPECT_EQ(outcome.errors, "") << arguments[0];
+  }
+  EXPECT_NE(runMien({"info", face}).output.find("feature points    60"), std::string::npos);
+  EXPECT_EQ(runMien({"patch", face, "-o", folder.file("p.vts")}).exitCode,
+            runMien({"patch", folder.file("d.vtp"), "-o", folder.file("q.vts")}).exitCode);
+}
+
+TEST(CurvesCommand, DamagedCompactFacesAndWrongTolerancesAreRefused) {
+  const TemporaryFolder folder;
+  const std::string face = folder.file("c.mienz");
+  ASSERT_EQ(runMien({"curves", "-o", face}).exitCode, 0);
+  writeTextFile(face, readTextFile(face).substr(0, 500));
+  const Outcome outcome = runMien({"info", face});
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.errors,
+            "mien: " + face +
+                ": the checksum is wrong: the file is damaged or cut off; copy the file again or write it anew\n");
+  for (const char* const tolerance : {"0", "-1mm", "1e9", "0.1cm", "x"})
+    EXPECT_EQ(runMien({"curves", "--tolerance", tolerance, "-o", folder.file("d.mienz")}).exitCode, 2) << tolerance;
+  EXPECT_EQ(entriesIn(folder.file("")), 1);
 }
 
 TEST(CurvesCommand, UnknownEndingIsRefused) {

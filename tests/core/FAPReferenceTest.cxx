@@ -3,9 +3,13 @@
 #include <sstream>
 #include <vector>
 
+#include "FAPFields.h"
 #include "FAPParser.h"
 #include "FAPTable.h"
 #include "FAPWriter.h"
+#include "FAPCsvParser.h"
+#include "FAPCsvWriter.h"
+#include "QuotedCells.h"
 #include "ReferenceData.h"
 #include "TextFile.h"
 
@@ -92,19 +96,39 @@ TEST(FAPReference, WritingAndReadingAgainChangesNothing) {
   }
 }
 
-/// Splits a CSV line whose quoted cells hold commas.
-static std::vector<std::string> cells(const std::string& line) {
-  std::vector<std::string> result(1);
-  bool quotedCell = false;
-  for (char c : line) {
-    if (c == '"')
-      quotedCell = !quotedCell;
-    else if (c == ',' && !quotedCell)
-      result.emplace_back();
-    else
-      result.back() += c;
+namespace {
+
+bool sameHighLevel(const FAPFrame& a, const FAPFrame& b) {
+  std::vector<double> values[2];
+  visitHighLevelFields(a, [&](const char*, double value) { values[0].push_back(value); });
+  visitHighLevelFields(b, [&](const char*, double value) { values[1].push_back(value); });
+  return values[0] == values[1];
+}
+
+}  // namespace
+
+TEST(FAPReference, AsATableAndBackTheFramesAreTheSame) {
+  MIEN_REQUIRE_REFERENCE("faps");
+  for (const Expected& expected : expectations) {
+    const FAPSequence first = readReference(expected.file);
+    std::string text;
+    ASSERT_EQ(writeFAPCsv(first, text), "") << expected.file;
+    FAPSequence second;
+    const auto error = parseFAPCsv(text, second);
+    ASSERT_FALSE(error.has_value()) << expected.file << ":" << error->line << ": " << error->message;
+    EXPECT_EQ(second.name, first.name) << expected.file;
+    EXPECT_EQ(second.version, first.version) << expected.file;
+    EXPECT_EQ(second.framesPerSecond, first.framesPerSecond) << expected.file;
+    EXPECT_EQ(second.masks, first.masks) << expected.file;
+    EXPECT_TRUE(second.warnings.empty()) << expected.file;
+    ASSERT_EQ(second.frames.size(), first.frames.size()) << expected.file;
+    for (std::size_t i = 0; i < first.frames.size(); ++i) {
+      ASSERT_EQ(second.frames[i].number, first.frames[i].number);
+      ASSERT_TRUE(sameHighLevel(second.frames[i], first.frames[i])) << expected.file << " " << i;
+      for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
+        ASSERT_EQ(second.frames[i].value(fap), first.frames[i].value(fap)) << expected.file << " " << i;
+    }
   }
-  return result;
 }
 
 TEST(FAPReference, TheTableAgreesWithTheListOfFAPs) {
@@ -114,7 +138,7 @@ TEST(FAPReference, TheTableAgreesWithTheListOfFAPs) {
   std::getline(lines, line);
   int rows = 0;
   for (; std::getline(lines, line); ++rows) {
-    const std::vector<std::string> cell = cells(line);
+    const std::vector<std::string> cell = quotedCells(line);
     const FAPDefinition& fap = fapDefinition(std::stoi(cell[0]));
     EXPECT_EQ(fap.name, cell[1]);
     EXPECT_EQ(symbol(fap.unit), cell[3] == "na" ? "" : cell[3]) << cell[1];

@@ -15,6 +15,8 @@ using Change = std::function<void(FaceState&)>;
 /// One change for every property; values that need all 17 digits.
 const std::vector<Change> changes = {
     [](FaceState& s) { s.curvesFile = "a folder/Gesicht ä.vtp"; },
+    [](FaceState& s) { s.edits = {mien::CurveEdit()}; },
+    [](FaceState& s) { s.edits = {{22, 1.0 / 3.0, {0.1, -0.2, 0.3}, 0.7, 3, true}, {5, 2.9, {1.0, 2.0, 3.0}, 0.5, 0, false}}; },
     [](FaceState& s) { s.surface.scheme = "derivative"; },
     [](FaceState& s) { s.surface.smoothing[8] = 0.1 + 0.2; },
     [](FaceState& s) { s.surface.modes = 7; },
@@ -35,6 +37,8 @@ const std::vector<Change> changes = {
     [](FaceState& s) { s.deformation.table = "joy"; },
     [](FaceState& s) { s.deformation.strength = -0.1; },
     [](FaceState& s) { s.deformation.smooth = false; },
+    [](FaceState& s) { s.texture = "Bild ä.png"; },
+    [](FaceState& s) { s.textureMesh = "a mesh.csv"; },
 };
 
 std::string faultOf(const Change& change, int pointsPerCurve = 40) {
@@ -74,6 +78,10 @@ TEST(FaceState, BadTextIsRefusedAndLeavesTheStateAlone) {
       {R"({"mien_face_state": 2, "grid": {"rows": 99999999999999}})", "'grid.rows'"},
       {R"({"mien_face_state": 2, "grid": {"precision": "half"}})", "'grid.precision'"},
       {R"({"mien_face_state": 2, "surface": 5})", "'surface'"},
+      {R"({"mien_face_state": 2, "edits": 5})", "'edits'"},
+      {R"({"mien_face_state": 2, "edits": [{"curve": "C99"}]})", "'edits[0].curve'"},
+      {R"({"mien_face_state": 2, "edits": [{"curve": "C6", "move": [1, 2]}]})", "'edits[0].move'"},
+      {R"({"mien_face_state": 2, "edits": [{"curve": "C6", "speed": 1}]})", "'edits[0].speed'"},
       {R"({"mien_face_state": 2, "surface": {"a": [1, 2]}})", "nine numbers"},
       {R"({"mien_face_state": 2, "surface": {"a": [1, 1, 1, 1, 1, 1, 1, 1, "x"]}})", "nine numbers"},
       {R"({"mien_face_state": 2, "surface": {"remainder": 1}})", "'surface.remainder'"},

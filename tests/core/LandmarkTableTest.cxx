@@ -74,6 +74,62 @@ TEST(LandmarkTable, NamesTheLineAtFault) {
   expectFault(landmarkFile(header, false, 4, "2,1,inf,3"), "4: ", "finite");
   expectFault(landmarkFile(header, false, 4, "2,1"), "4: ", "finite");
   expectFault(landmarkFile(header, false, 4, "2,1,2x,3"), "4: ", "finite");
-  expectFault(landmarkFile(header, false, 4, ""), "69: ", "landmark 2 is missing");
+  expectFault(landmarkFile(header, false, 32, ""), "69: ", "landmark 30 (nose_tip) is missing");
   expectFault(landmarkFile("landmark,vertex", true, 9, "7,1.5"), "9: ", "no vertex number");
+}
+
+TEST(LandmarkTable, LandmarksWithoutNamesMayBeMissing) {
+  LandmarkTable table;
+  ASSERT_EQ(parseLandmarks(landmarkFile("landmark,x,y,z", false, 4, ""), table), "");
+  EXPECT_FALSE(table.given[2]);
+  EXPECT_TRUE(table.given[3]);
+}
+
+TEST(LandmarkTable, ReadsNames) {
+  LandmarkTable table;
+  ASSERT_EQ(parseLandmarks(landmarkFile("landmark,x,y,z", false, 32, "nose_tip,1,2,3"), table), "");
+  EXPECT_EQ(table.positions[30], Eigen::Vector3d(1.0, 2.0, 3.0));
+  expectFault(landmarkFile("landmark,x,y,z", false, 33, "nose_tip,1,2,3"), "33: ", "landmark 30 is given twice");
+}
+
+TEST(LandmarkTable, RowsWithoutNumbersCountFromZero) {
+  std::string file = "x,y,z\n";
+  for (int i = 0; i < 68; ++i) file += std::to_string(i) + ",0,0\n";
+  LandmarkTable table;
+  ASSERT_EQ(parseLandmarks(file, table), "");
+  EXPECT_EQ(table.positions[67].x(), 67.0);
+  expectFault(file + "1,2,3\n", "70: ", "no landmark number");
+}
+
+TEST(LandmarkTable, MissingLandmarksFollowTheWarpOfTheOthers) {
+  const FaceLandmarks reference = ellipticHead().landmarks();
+  LandmarkTable::Given given{};
+  for (int i = 0; i < FaceLandmarks::count; ++i) given[i] = !landmarkName(i).empty();
+  Eigen::Matrix3d affine;
+  affine << 0.0, -2.0, 0.1, 1.5, 0.0, 0.0, 0.0, 0.3, 1.0;
+  FaceLandmarks expected;
+  expected.points = (reference.points * affine.transpose()).rowwise() + Eigen::RowVector3d(5.0, 6.0, 7.0);
+  FaceLandmarks landmarks = expected;
+  for (int i = 0; i < FaceLandmarks::count; ++i)
+    if (!given[i]) landmarks.points.row(i).setZero();
+  ASSERT_EQ(completeLandmarks(reference, given, landmarks), "");
+  EXPECT_LT((landmarks.points - expected.points).cwiseAbs().maxCoeff(), 1e-8) << "affine maps are reproduced exactly";
+  FaceLandmarks flat;
+  EXPECT_NE(completeLandmarks(flat, given, landmarks), "");
+}
+
+TEST(LandmarkTable, TextReadsBackToTheBit) {
+  const FaceLandmarks landmarks = ellipticHead().landmarks();
+  LandmarkTable table;
+  ASSERT_EQ(parseLandmarks(landmarkText(landmarks), table), "");
+  EXPECT_EQ(table.positions.points, landmarks.points);
+}
+
+TEST(LandmarkTable, PicturesNeedNoDepthButAllLandmarks) {
+  FaceLandmarks landmarks;
+  std::string file = "landmark,x,y\n";
+  for (int i = 0; i < 67; ++i) file += std::to_string(i) + ",1,2\n";
+  EXPECT_EQ(parsePictureLandmarks(file, landmarks), "68: landmark 67 is missing; all 68 are needed");
+  ASSERT_EQ(parsePictureLandmarks(file + "67,3,4\n", landmarks), "");
+  EXPECT_EQ(landmarks[67], Eigen::Vector3d(3.0, 4.0, 0.0));
 }

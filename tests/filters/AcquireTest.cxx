@@ -60,7 +60,7 @@ TEST(Acquire, WritesTheMeanOfSeveralScans) {
   options.landmarkFile = writeLandmarks("landmarks.csv");
   options.outputFile = temporary("mean.vtp");
   options.mean = true;
-  options.pointsPerCurve = 48;
+  options.scan.pointsPerCurve = 48;
   ASSERT_EQ(mien::acquire(options), "");
   const mien::FaceCurves face = readFace(options.outputFile);
   EXPECT_EQ(face.curves.pointsPerCurve, 48);
@@ -77,13 +77,13 @@ TEST(Acquire, NamesTheFileAtFaultAndWritesNothing) {
   options.landmarkFile = writeLandmarks("short.csv", 30);
   options.outputFile = temporary("nothing.vtp");
   std::filesystem::remove(options.outputFile);
-  EXPECT_EQ(mien::acquire(options), options.landmarkFile + ":68: landmark 30 is missing; all 68 are needed");
+  EXPECT_EQ(mien::acquire(options), options.landmarkFile + ":68: landmark 30 (nose_tip) is missing; the twelve landmarks with names are needed, see mien acquire --help");
   options.landmarkFile = "/no/landmarks.csv";
   EXPECT_EQ(mien::acquire(options).rfind("/no/landmarks.csv: ", 0), 0u);
   options.landmarkFile = writeLandmarks("landmarks.csv");
-  options.pointsPerCurve = 41;
+  options.scan.pointsPerCurve = 41;
   EXPECT_NE(mien::acquire(options).find("even number"), std::string::npos);
-  options.pointsPerCurve = 40;
+  options.scan.pointsPerCurve = 40;
   options.scans = {temporary("not_there.ply")};
   EXPECT_EQ(mien::acquire(options).rfind(options.scans[0] + ": ", 0), 0u);
   options.scans = {temporary("head.obj"), temporary("head.obj")};

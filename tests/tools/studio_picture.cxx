@@ -1,7 +1,8 @@
 // Draws Mien Studio's window into a PNG file, for the documentation and for looking at it:
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
-// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, tab=4, fap=53:200, a=2, file=X.fap, frame=100, scale=0.75, measure.
+// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, tab=4, fap=53:200, a=2, file=X.fap, frame=100, range=50:120, dock=plotDock, press=fapAll, scale=0.75, wait=2000, measure.
 
+#include "AnimationPlayer.h"
 #include "FaceModel.h"
 #include "StudioWindow.h"
 #include "Theme.h"
@@ -99,8 +100,10 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "row") chooseRow(window, value.toInt());
   if (key == "choose") window.findChild<QComboBox*>(value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
   if (key == "measure") measure(window);
+  if (key == "wait") wait(value.toInt());
   if (key == "file") window.openAnimation(value);
-  if (key == "frame") model.showFrame(value.toInt());
+  if (key == "frame") model.showFrame(value.toDouble());
+  if (key == "range") window.player().setRange(value.section(':', 0, 0).toInt(), value.section(':', 1).toInt());
 }
 
 }  // namespace

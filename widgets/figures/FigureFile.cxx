@@ -6,6 +6,7 @@
 #include <QDateTime>
 #include <QFile>
 #include <QFileInfo>
+#include <QHash>
 #include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
@@ -61,6 +62,20 @@ void setDateFromEnvironment(QByteArray& pdf) {
   const qint64 seconds = QByteArray(text).toLongLong(&valid);
   if (text && valid && seconds >= 0) setDate(pdf, seconds);
 }
+
+/// Qt embeds fonts in the order of a hash with a random seed: without one the same drawing has the same bytes.
+class FixedHashSeed {
+ public:
+#if QT_VERSION < QT_VERSION_CHECK(6, 2, 0)
+  FixedHashSeed() { qSetGlobalQHashSeed(0); }
+  ~FixedHashSeed() { qSetGlobalQHashSeed(-1); }
+#else
+  FixedHashSeed() { QHashSeed::setDeterministicGlobalSeed(); }
+  ~FixedHashSeed() { QHashSeed::resetRandomGlobalSeed(); }
+#endif
+  FixedHashSeed(const FixedHashSeed&) = delete;
+  FixedHashSeed& operator=(const FixedHashSeed&) = delete;
+};
 
 void draw(QPaintDevice& device, double scale, const std::function<void(QPainter&)>& content) {
   QPainter painter(&device);
@@ -120,6 +135,7 @@ bool FigureFile::writeSVG(const std::string& name, const QSizeF& size, const Dra
 bool FigureFile::writePDF(const std::string& name, const QSizeF& size, const Draw& content) const {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
+  const FixedHashSeed seed;
   {
     QPdfWriter pdf(&buffer);
     pdf.setResolution(qRound(unitsPerInch));

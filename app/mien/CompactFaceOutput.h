@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+class vtkPolyData;
+
+namespace CLI {
+class App;
+}
+
+namespace mien {
+
+/// The options of commands that can write a compact face file (.mienz), and the writing.
+class CompactFaceOutput {
+ public:
+  void addTo(CLI::App& command);
+
+  /// Throws a ValueFailure for a tolerance that is none.
+  void check() const;
+
+  /// Writes boundary curves, and says on stderr what was left out; a FileFailure or a ValueFailure when they cannot be.
+  void write(vtkPolyData* curves, const std::string& fileName) const;
+
+ private:
+  double tolerance() const;
+
+  std::string tolerance_ = "0.1mm", faceName_;
+};
+
+}  // namespace mien

@@ -1,0 +1,175 @@
+#include "AnimationData.h"
+#include "AnimationText.h"
+#include "AnimationTextFile.h"
+#include "Arguments.h"
+#include "CaptureWriter.h"
+#include "Command.h"
+#include "CsvText.h"
+#include "FAPCsvWriter.h"
+#include "FAPParser.h"
+#include "FAPTable.h"
+#include "FAPWriter.h"
+#include "Failure.h"
+#include "FrameTimes.h"
+#include "HighLevelFAPs.h"
+#include "OutputFile.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+namespace mien {
+
+namespace {
+
+struct Options {
+  std::string input, output, from, to, fps, map;
+};
+
+struct Target {
+  const char* name;
+  std::optional<CaptureStyle> capture;
+};
+
+const std::pair<const char*, AnimationFormat> sources[] = {{"fap", AnimationFormat::FAP},
+                                                           {"fap-csv", AnimationFormat::FAPCsv},
+                                                           {"facs", AnimationFormat::ActionUnits},
+                                                           {"openface", AnimationFormat::ActionUnits},
+                                                           {"arkit", AnimationFormat::Blendshapes}};
+
+const Target targets[] = {{"fap", {}},
+                          {"fap-csv", {}},
+                          {"facs", CaptureStyle::FACS},
+                          {"openface", CaptureStyle::OpenFace},
+                          {"arkit", CaptureStyle::LiveLinkFace}};
+
+std::optional<AnimationFormat> chooseSource(const Options& options) {
+  for (const auto& [name, format] : sources)
+    if (options.from == name) return format;
+  if (!options.from.empty())
+    throw ValueFailure("--from '" + options.from + "' is no format; there are fap, fap-csv, facs, openface and arkit");
+  return std::nullopt;
+}
+
+/// By --to, else by the ending: FAPs as they are.
+Target chooseTarget(const Options& options) {
+  for (const Target& target : targets)
+    if (options.to == target.name) return target;
+  if (!options.to.empty())
+    throw ValueFailure("--to '" + options.to + "' is no format; there are fap, fap-csv, facs, openface and arkit");
+  if (options.output != "-") requireEnding(options.output, {"fap", "csv"});
+  return targets[fileEnding(options.output) == "csv" ? 1 : 0];
+}
+
+double chooseRate(const std::string& text) {
+  const double rate = text.empty() ? 0.0 : parseNumber("--fps", text);
+  if (!text.empty() && !(rate >= slowestFAPRate && rate <= fastestFAPRate))
+    throw ValueFailure("--fps " + text + " is outside 0.001 .. 100000");
+  return rate;
+}
+
+std::string readable(const std::string& file) { return file == "-" ? "standard input" : file; }
+
+FacialActionMap readMap(const std::string& file) {
+  if (file.empty()) return defaultFacialActions();
+  std::string text;
+  FacialActionMap map;
+  std::string fault = readAnimationText(file, text);
+  if (fault.empty()) fault = map.parse(text);
+  if (!fault.empty()) throw FileFailure(file + ": " + fault);
+  return map;
+}
+
+FAPSequence readInput(const Options& options, const FacialActionMap& map) {
+  const std::string name = readable(options.input);
+  std::string text;
+  FAPSequence sequence;
+  const std::string fault = readAnimationText(options.input, text);
+  if (!fault.empty()) throw FileFailure(name + ": " + fault);
+  const auto error = parseAnimation(text, chooseSource(options), map, sequence);
+  if (error) throw FileFailure(name + ":" + std::to_string(error->line) + ": " + error->message);
+  for (const FAPWarning& warning : sequence.warnings)
+    std::cerr << "mien: " << name << ":" << warning.line << ": " << warning.message << "\n";
+  return sequence;
+}
+
+/// A rate that the file does not tell is simply taken; to another one the animation is mixed.
+void changeRate(double rate, FAPSequence& sequence) {
+  if (rate == 0.0 || rate == sequence.framesPerSecond) return;
+  if (sequence.rateIsAssumed)
+    sequence.framesPerSecond = rate;
+  else
+    sequence = resampled(sequence, rate);
+}
+
+void resolveShapes(FAPSequence& sequence) {
+  for (FAPFrame& frame : sequence.frames) resolveHighLevelFAPs(defaultVisemes(), defaultExpressions(), frame);
+  for (FAPMask& mask : sequence.masks) mask[0] = mask[1] = false;
+}
+
+void tellLoss(const CaptureLoss& loss, const std::string& output) {
+  std::string names;
+  for (const int fap : loss.faps)
+    names += (names.empty() ? "" : ", ") + std::to_string(fap) + " " + std::string(fapDefinition(fap).name);
+  if (!names.empty()) std::cerr << "mien: " << output << ": there is no column for these FAPs, they are lost: " << names << "\n";
+  const long percent = std::lround(100.0 * loss.share);
+  if (percent > 0)
+    std::cerr << "mien: " << output << ": the columns come near the FAPs only; " << percent
+              << " % of the movement is lost (root mean square), most in frame " << shortestText(loss.worstFrame) << "\n";
+}
+
+std::string textOf(FAPSequence sequence, const Target& target, const FacialActionMap& map, const std::string& output) {
+  std::string text, fault;
+  if (target.capture) {
+    resolveShapes(sequence);
+    CaptureLoss loss;
+    fault = writeCapture(sequence, *target.capture, map, text, loss);
+    tellLoss(loss, output);
+  } else {
+    fault = std::string(target.name) == "fap" ? writeFAP(sequence, text) : writeFAPCsv(sequence, text);
+  }
+  if (!fault.empty()) throw FileFailure(output + ": " + fault);
+  return text;
+}
+
+void run(const Options& options) {
+  const Target target = chooseTarget(options);
+  const double rate = chooseRate(options.fps);
+  const FacialActionMap map = readMap(options.map);
+  FAPSequence sequence = readInput(options, map);
+  changeRate(rate, sequence);
+  if (sequence.name.empty() && options.input != "-") sequence.name = options.input.substr(options.input.find_last_of('/') + 1);
+  const std::string text = textOf(sequence, target, map, options.output == "-" ? "standard output" : options.output);
+  if (options.output == "-") {
+    std::cout << text;
+    return;
+  }
+  OutputFile::write(options.output, text);
+  std::cout << sequence.frames.size() << " frames at " << shortestText(sequence.framesPerSecond) << " per second in "
+            << options.output << "\n";
+}
+
+}  // namespace
+
+void addConvertCommand(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("convert", "Turn animations into each other: .fap, tables of FAPs, FACS, ARKit");
+  command->add_option("input", options->input, "FILE.fap or FILE.csv; - is standard input")->required();
+  command->add_option("-o,--output", options->output, "FILE.fap or FILE.csv; - is standard output")->required();
+  command->add_option("--from", options->from, "What the input is: fap fap-csv facs openface arkit [as its header says]");
+  command->add_option("--to", options->to, "What to write: fap fap-csv facs openface arkit [.fap: fap, .csv: fap-csv]");
+  command->add_option("--fps", options->fps,
+                      "Frames per second to write, mixed from those around; of an input without time its own rate [the input's]");
+  command->add_option("--map", options->map, "What action units and blendshapes move, FILE.json [data/animation/facs_map.json]");
+  command->footer(
+      "Example: mien convert take.csv -o take.fap                 Live Link Face or OpenFace, seen from the header\n"
+      "         mien convert speech.fap -o speech.csv             a table of FAPs, for a spreadsheet or NumPy\n"
+      "         mien convert speech.fap --to arkit -o speech.csv  the nearest blendshapes; says what is lost\n"
+      "         mien convert take.csv --fps 25 -o - | mien animate - -o frames/");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace mien

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+class vtkImageData;
+
+namespace mien {
+
+/// Writes a picture as .png, .jpg or .tif, by its ending; values that are neither 8 nor 16 bits fit into .tif only.
+/// Throws a ValueFailure for another ending, a FileFailure when it cannot be written.
+void writePicture(vtkImageData* image, const std::string& name);
+
+}  // namespace mien

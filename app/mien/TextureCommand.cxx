@@ -1,0 +1,205 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "Arguments.h"
+#include "BoundaryCurveData.h"
+#include "Command.h"
+#include "FacePipeline.h"
+#include "FaceTexture.h"
+#include "FaceWarpLayout.h"
+#include "Failure.h"
+#include "ImageFile.h"
+#include "Interruption.h"
+#include "OutputFile.h"
+#include "PictureFile.h"
+#include "PipelineErrors.h"
+#include "ProgressLine.h"
+#include "TextFile.h"
+#include "WarpMeshData.h"
+#include "WarpMeshText.h"
+#include "vtkBoundaryCurveReader.h"
+#include "vtkCallbackCommand.h"
+#include "vtkImageData.h"
+#include "vtkImageMeshWarpFilter.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
+
+namespace mien {
+
+namespace {
+
+constexpr int percent = 100;
+constexpr int defaultWidth = 2048, defaultHeight = 1024;  // as FaceTexture
+
+using Kind = FaceWarpLayout::Kind;
+
+struct Options {
+  std::string image, source, landmarks, target, face, mesh, size, saveSource, saveTarget, output;
+};
+
+void check(const Options& options) {
+  if (!options.source.empty() && !options.landmarks.empty())
+    throw ValueFailure("--source and --landmarks both say where features lie; give one");
+  if (options.source.empty() && options.landmarks.empty() && !std::filesystem::exists(meshBeside(options.image)))
+    throw ValueFailure("there is no " + meshBeside(options.image) +
+                       " beside the image; give --source MESH.csv or --landmarks FILE.csv");
+  if (!options.mesh.empty() && options.mesh != "7x7" && options.mesh != "fine")
+    throw ValueFailure("--mesh '" + options.mesh + "' is unknown; it is 7x7 or fine");
+  if (!options.mesh.empty() && options.landmarks.empty())
+    throw ValueFailure("--mesh says what is made of --landmarks; give them, or leave it out");
+  if (options.output.empty() && options.saveSource.empty() && options.saveTarget.empty())
+    throw ValueFailure("there is nothing to write; give -o, --save-source or --save-target");
+  if (!options.output.empty()) requireEnding(options.output, {"png", "jpg", "jpeg", "tif", "tiff"});
+  for (const std::string& file : {options.saveSource, options.saveTarget})
+    if (!file.empty()) requireEnding(file, {"csv"});
+}
+
+std::string readText(const std::string& file, const std::string& what) {
+  std::string text;
+  const std::string fault = readSmallTextFile(file, what, text);
+  if (!fault.empty()) throw FileFailure(fault);
+  return text;
+}
+
+WarpMesh readMesh(const std::string& file) {
+  WarpMesh mesh;
+  const std::string fault = parseWarpMesh(readText(file, "warp mesh"), mesh);
+  if (!fault.empty()) throw FileFailure(file + ":" + fault);
+  return mesh;
+}
+
+FaceCurves readFace(const std::string& file) {
+  FacePipeline pipeline;
+  FaceState state;
+  state.curvesFile = file;
+  pipeline.setState(state);
+  std::string fault = pipeline.updateNeutralCurves();
+  FaceCurves face;
+  if (fault.empty()) fault = readFaceCurves(pipeline.neutralCurves()->GetOutput(), face);
+  if (!fault.empty()) throw FileFailure(fault);
+  return face;
+}
+
+FaceWarpLayout layoutOn(const FaceCurves& face, Kind kind) {
+  FaceWarpLayout layout;
+  const std::string fault = layout.set(kind, face);
+  if (!fault.empty()) throw FileFailure(fault);
+  return layout;
+}
+
+WarpMesh meshOfLandmarks(const Options& options, const FaceCurves& face, vtkImageData* image) {
+  ImageLandmarks landmarks;
+  std::string fault = parseImageLandmarks(readText(options.landmarks, "list of landmarks"), landmarks);
+  if (!fault.empty()) throw FileFailure(options.landmarks + ":" + fault);
+  WarpMesh mesh;
+  const int* size = image->GetDimensions();
+  fault = photographMesh(layoutOn(face, options.mesh == "7x7" ? Kind::SevenBySeven : Kind::Fine), face, landmarks,
+                         size[0], size[1], mesh);
+  if (!fault.empty()) throw FileFailure(options.landmarks + ": " + fault);
+  return mesh;
+}
+
+/// Without a target mesh that of the face, which must have the places of the source mesh.
+WarpMesh targetOf(const Options& options, const FaceCurves& face, const WarpMesh& source) {
+  if (!options.target.empty()) return readMesh(options.target);
+  Kind kind{};
+  if (!FaceWarpLayout::kindOf(source, kind))
+    throw ValueFailure("a source mesh of " + std::to_string(source.rows()) + " x " + std::to_string(source.columns()) +
+                       " points has no places on the face; give --target, or a mesh of 7 x 7");
+  return textureMesh(layoutOn(face, kind), defaultWidth, defaultHeight);
+}
+
+/// Shows how far the filter is and stops it when the user wants that.
+class Watch {
+ public:
+  explicit Watch(vtkImageMeshWarpFilter* filter) : progress_(percent, "percent") {
+    noteInterruptions();
+    command_->SetClientData(this);
+    command_->SetCallback([](vtkObject* caller, unsigned long, void* self, void* done) {
+      static_cast<Watch*>(self)->progress_.show(static_cast<int>(percent * *static_cast<double*>(done)));
+      if (wasInterrupted()) vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
+    });
+    filter->AddObserver(vtkCommand::ProgressEvent, command_);
+  }
+
+ private:
+  ProgressLine progress_;
+  vtkNew<vtkCallbackCommand> command_;
+};
+
+void warp(const Options& options, vtkImageData* image, const WarpMesh& source, const WarpMesh& target) {
+  vtkNew<vtkStructuredGrid> from, to;
+  writeWarpMesh(source, from);
+  writeWarpMesh(target, to);
+  vtkNew<vtkImageMeshWarpFilter> filter;
+  PipelineErrors errors;
+  errors.observe(filter);
+  filter->SetInputData(image);
+  filter->SetSourceMeshData(from);
+  filter->SetTargetMeshData(to);
+  auto [width, height] = options.size.empty()
+                             ? std::pair(static_cast<int>(target.width), static_cast<int>(target.height))
+                             : parseSize("--size", options.size);
+  const int largest = vtkImageMeshWarpFilter::LargestSide;
+  if (width > largest || height > largest)
+    throw ValueFailure("--size " + std::to_string(width) + "x" + std::to_string(height) + " is too large; at most " +
+                       std::to_string(largest) + " pixels along a side are allowed");
+  filter->SetOutputSize(width, height);
+  filter->SetClosed(options.target.empty());
+  {
+    const Watch watch(filter);
+    filter->Update();
+  }
+  if (wasInterrupted()) throw Stopped("stopped; nothing was written");
+  if (!errors.first().empty()) throw FileFailure(options.image + ": " + errors.first());
+  writePicture(filter->GetOutput(), options.output);
+}
+
+void run(const Options& options) {
+  check(options);
+  vtkNew<vtkImageData> image;
+  const std::string fault = readImageFile(options.image, image);
+  if (!fault.empty()) throw FileFailure(fault);
+  const FaceCurves face = readFace(options.face);
+  const WarpMesh source = !options.landmarks.empty()
+                              ? meshOfLandmarks(options, face, image)
+                              : readMesh(options.source.empty() ? meshBeside(options.image) : options.source);
+  const WarpMesh target = targetOf(options, face, source);
+  if (!options.output.empty()) warp(options, image, source, target);
+  if (!options.saveSource.empty()) OutputFile::write(options.saveSource, writeWarpMesh(source));
+  if (!options.saveTarget.empty()) OutputFile::write(options.saveTarget, writeWarpMesh(target));
+}
+
+}  // namespace
+
+void addTextureCommand(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("texture", "Warp a photograph into the texture of a face");
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    return command->add_option(name, value, help);
+  };
+  add("image", options->image, "Photograph of a face from the front: .png .jpg .tif")->required();
+  add("--source", options->source, "Warp mesh over the photograph, MESH.csv [the .csv beside it]");
+  add("--landmarks", options->landmarks,
+      "In place of --source: landmark,x,y in pixels, y down; 68 by number or 25 by name, FILE.csv");
+  add("--mesh", options->mesh, "What --landmarks make: 7x7, or fine, which follows lids and lips [fine]");
+  add("--target", options->target, "Warp mesh to take it to, MESH.csv [the features of the face in (u, v)]");
+  add("--face", options->face, "Boundary curves, FILE.vtp [the generic face]");
+  add("--size", options->size, "Width x height of the texture in pixels [2048x1024; that of --target]");
+  add("-o,--output", options->output, "Texture to write: .png .jpg .tif");
+  add("--save-source", options->saveSource, "Write the source mesh, FILE.csv, for --texture of render and animate");
+  add("--save-target", options->saveTarget, "Write the target mesh, FILE.csv");
+  command->footer(
+      "Example: mien texture anna.jpg --landmarks anna68.csv --save-source anna.csv -o anna_texture.png\n"
+      "         mien render --texture anna.jpg --expression joy -o joy.png\n"
+      "A surface shows the texture through its TextureCoordinates. The 25 names: 4.6 4.4 brow_middle 4.3 4.5 (brows), "
+      "3.12 3.2 nose_bridge\n"
+      "3.1 3.7 (eyes), 5.4 3.4 9.12 3.3 5.3 (cheeks and lower lids), 8.4 8.6 8.1 8.5 8.3 (upper lip), lower_lip_right "
+      "8.8 8.2 8.7 lower_lip_left.");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace mien

@@ -1,0 +1,256 @@
+#include "VectorSource.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "Arguments.h"
+#include "CsvText.h"
+#include "FAPSequence.h"
+#include "FaceMotion.h"
+#include "FaceNote.h"
+#include "FacePipeline.h"
+#include "Failure.h"
+#include "MeshFile.h"
+#include "MotionFieldData.h"
+#include "NumberText.h"
+#include "OutputFile.h"
+#include "PipelineErrors.h"
+#include "Remarks.h"
+#include "SurfaceFile.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFAPReader.h"
+#include "vtkIdList.h"
+#include "vtkMotionVectorFilter.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
+
+namespace mien {
+
+namespace {
+
+std::string shortName(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
+constexpr size_t mostFrames = 104;  // (a) .. (z3)
+
+vtkSmartPointer<vtkPointSet> readPoints(const std::string& name) {
+  const auto data = readMesh(name);
+  vtkPointSet* points = vtkPointSet::SafeDownCast(data);
+  if (!points || points->GetNumberOfPoints() == 0) throw FileFailure(name + ": holds no surface");
+  return points;
+}
+
+using Edges = std::set<std::pair<vtkIdType, vtkIdType>>;
+
+/// All pairs of points that share a polygon: its edges and diagonals.
+Edges pairsOf(vtkPolyData* polygons) {
+  Edges pairs;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell) {
+    polygons->GetCellPoints(cell, ids);
+    for (const vtkIdType a : *ids)
+      for (const vtkIdType b : *ids) pairs.emplace(a, b);
+  }
+  return pairs;
+}
+
+/// Whether the polygons of a scan cut up those of the face: its reader makes triangles, along either diagonal.
+bool isCutOf(vtkPolyData* scan, vtkPolyData* face) {
+  if (scan->GetNumberOfPoints() != face->GetNumberOfPoints()) return false;
+  const Edges ours = pairsOf(face), theirs = pairsOf(scan);
+  return std::includes(ours.begin(), ours.end(), theirs.begin(), theirs.end());
+}
+
+/// The face with the triangles of the scan when that has the same topology; else as it is.
+vtkSmartPointer<vtkPolyData> cutLike(vtkPolyData* scan, vtkPolyData* face) {
+  if (!scan || !isCutOf(scan, face)) return face;
+  auto cut = vtkSmartPointer<vtkPolyData>::New();
+  cut->ShallowCopy(face);
+  cut->GetCellData()->Initialize();
+  cut->SetPolys(scan->GetPolys());
+  return cut;
+}
+
+vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData* data) {
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(data);
+  return copy;
+}
+
+}  // namespace
+
+VectorSource::VectorSource() : motion_(std::make_unique<FaceMotion>()) {}
+
+VectorSource::~VectorSource() = default;
+
+void VectorSource::addTo(CLI::App& command) {
+  command_ = &command;
+  command.add_option("surface", surface_, "A moved surface in place of the face, .vts .vtp .ply .obj .stl .off, mm");
+  command
+      .add_option("--against", against_,
+                  "Where the vectors start: neutral, previous (the frame before), the number of a frame of the same "
+                  ".fap file, or a surface file of the same topology")
+      ->capture_default_str();
+  command.add_option("--frames", frames_,
+                     "Several frames of the .fap file, numbers as written there, such as 100,120,125");
+  command.add_flag("--remove-head-motion", removeHeadMotion_,
+                   "Without the rotation of the head (FAPs 48 - 50); of surface files, without their rigid motion");
+  options_.addAll(command);
+}
+
+VectorSource::Against VectorSource::kind() const {
+  if (against_ == "neutral") return Against::Neutral;
+  if (against_ == "previous") return Against::Previous;
+  return mien::parseNumber(std::string_view(against_)) ? Against::Frame : Against::Mesh;
+}
+
+void VectorSource::check() const {
+  const auto isGiven = [&](const char* name) { return command_->get_option(name)->count() > 0; };
+  const bool hasFile = isGiven("--fap");
+  if (!surface_.empty()) {
+    if (kind() != Against::Mesh)
+      throw ValueFailure("a surface file moves against another one; name it with --against FILE");
+    for (const char* const name : {"--fap", "--expression", "--set", "--face", "--frames"})
+      if (isGiven(name))
+        throw ValueFailure(std::string(name) + " describes a face; leave out either it or the surface " + surface_);
+    return;
+  }
+  if (isSeries() && !hasFile) throw ValueFailure("--frames needs an animation; name it with --fap FILE.fap");
+  for (const char* const name : {"--frame", "--index", "--time"})
+    if (isSeries() && isGiven(name))
+      throw ValueFailure(std::string(name) + " and --frames both choose a frame; give one of them");
+  if ((kind() == Against::Previous || kind() == Against::Frame) && !hasFile)
+    throw ValueFailure("--against " + against_ + " needs an animation; name it with --fap FILE.fap");
+}
+
+std::vector<FaceState> VectorSource::states() const {
+  const FaceState state = options_.state();
+  if (!isSeries()) return {state};
+  std::vector<FaceState> states;
+  for (const std::string& number : splitText(frames_, ',')) {
+    states.push_back(state);
+    states.back().frameChoice = FaceState::FrameChoice::Number;
+    states.back().frame = parseNumber("--frames", number);
+  }
+  if (states.size() > mostFrames)
+    throw ValueFailure("--frames has " + std::to_string(states.size()) + " numbers; at most " +
+                       std::to_string(mostFrames) + " are drawn");
+  return states;
+}
+
+std::vector<VectorMoment> VectorSource::moments(const PicturePlane& plane) {
+  check();
+  std::vector<VectorMoment> moments;
+  if (!surface_.empty()) {
+    moments.push_back(meshMoment(readPoints(surface_), surface_, plane));
+    return moments;
+  }
+  motion_->setPlane(plane);
+  motion_->setHeadMotionRemoved(removeHeadMotion_);
+  for (const FaceState& state : states())
+    moments.push_back(kind() == Against::Mesh ? againstMesh(state, plane) : faceMoment(state));
+  printRemarks(motion_->moved());
+  return moments;
+}
+
+const FaceCurves* VectorSource::face() const {
+  return hasFace_ ? &motion_->originFace() : nullptr;
+}
+
+/// After the moved pipeline has read the animation.
+FaceState VectorSource::originOf(const FaceState& state) {
+  if (kind() == Against::Neutral) return FaceMotion::neutralOf(state);
+  FaceState origin = state;
+  origin.frameChoice = FaceState::FrameChoice::Number;
+  if (kind() == Against::Frame) origin.frame = parseNumber("--against", against_);
+  if (kind() == Against::Frame) return origin;
+  const int index = motion_->moved().frames()->GetFrameIndex();
+  if (index < 1)
+    throw ValueFailure("--against previous: frame " + frameText(state) + " is the first of " + state.fapFile +
+                       "; there is none before it");
+  origin.frameChoice = FaceState::FrameChoice::Index;
+  origin.frame = index - 1;
+  return origin;
+}
+
+std::string VectorSource::frameText(const FaceState& state) const {
+  if (state.fapFile.empty()) return {};
+  const int index = motion_->moved().frames()->GetFrameIndex();
+  const auto& frames = motion_->moved().frames()->GetSequence().frames;
+  return index >= 0 && index < static_cast<int>(frames.size()) ? shortestText(frames[index].number) : std::string();
+}
+
+VectorMoment VectorSource::faceMoment(const FaceState& state) {
+  motion_->setStates(state, FaceMotion::neutralOf(state));
+  checkOrThrow(motion_->moved());
+  motion_->setStates(state, originOf(state));
+  checkOrThrow(motion_->moved());
+  checkOrThrow(motion_->origin());
+  const std::string fault = motion_->update();
+  if (!fault.empty()) throw FileFailure(fault);
+  hasFace_ = true;
+  return {frameText(state), state, motion_->field(), copyOf(motion_->vectors())};
+}
+
+/// A grid is compared with the face's grid, polygons with those that `mien surface` writes of it.
+VectorMoment VectorSource::againstMesh(const FaceState& state, const PicturePlane& plane) {
+  motion_->setStates(state, FaceMotion::neutralOf(state));
+  checkOrThrow(motion_->moved());
+  updateOrThrow(motion_->moved());
+  vtkStructuredGrid* grid = motion_->moved().grid();
+  const auto origin = readPoints(against_);
+  vtkSmartPointer<vtkPointSet> moved = grid;
+  if (fileEnding(against_) != "vts") moved = cutLike(vtkPolyData::SafeDownCast(origin), outwardPolygons(grid, false));
+  VectorMoment moment = meshMoment(moved, state.curvesFile.empty() ? "the generic face" : state.curvesFile, plane);
+  moment.frame = frameText(state);
+  moment.state = state;
+  return moment;
+}
+
+VectorMoment VectorSource::meshMoment(vtkPointSet* moved, const std::string& name, const PicturePlane& plane) const {
+  const auto origin = readPoints(against_);
+  vtkNew<vtkMotionVectorFilter> filter;
+  PipelineErrors errors;
+  errors.observe(filter);
+  filter->SetInputData(moved);
+  filter->SetNeutralData(origin);
+  filter->SetRemoveRigidMotion(removeHeadMotion_);
+  filter->SetViewDirection(plane.out.x(), plane.out.y(), plane.out.z());
+  filter->SetViewUp(plane.up.x(), plane.up.y(), plane.up.z());
+  filter->Update();
+  if (!errors.first().empty()) throw FileFailure(name + ", " + against_ + ": " + errors.first());
+  VectorMoment moment;
+  moment.vectors = filter->GetOutput();
+  const std::string fault = readMotionField(moment.vectors, origin, origin, false, moment.field);
+  if (!fault.empty()) throw FileFailure(against_ + ": " + fault);
+  return moment;
+}
+
+std::string VectorSource::origin() const {
+  switch (kind()) {
+    case Against::Neutral:
+      return "from the neutral face";
+    case Against::Previous:
+      return "from the frame before";
+    case Against::Frame:
+      return "from frame " + against_;
+    case Against::Mesh:
+      break;
+  }
+  return "from " + shortName(against_);
+}
+
+std::string VectorSource::note() const {
+  if (!surface_.empty()) return shortName(surface_) + " against " + shortName(against_) + "; Mien " MIEN_VERSION;
+  const FaceState state = options_.state();
+  return faceNote(state, {state.surface.scheme}) + "; " + std::to_string(state.rows) + " x " +
+         std::to_string(state.columns);
+}
+
+}  // namespace mien

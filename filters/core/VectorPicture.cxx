@@ -1,0 +1,141 @@
+#include "VectorPicture.h"
+
+#include <algorithm>
+
+#include "SurfaceContour.h"
+#include "SurfaceOcclusion.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double lift = 0.4;          // mm: lines are looked for a little above the surface they lie on
+constexpr double shortestGap = 6.0;   // mm
+constexpr double shortestPart = 8.0;  // mm
+constexpr double frameMargin = 0.04;  // of a region's longer side
+
+using Line = VectorPicture::Line;
+using Places = Eigen::Matrix<double, Eigen::Dynamic, 2>;
+
+/// Turns runs of `value` inside a line that are shorter than `least` (mm) around.
+void turnShortRuns(const Places& places, bool value, double least, std::vector<bool>& seen) {
+  const int count = static_cast<int>(seen.size());
+  for (int begin = 0, end = 0; begin < count; begin = end) {
+    double length = 0.0;
+    for (end = begin; end < count && seen[end] == seen[begin]; ++end)
+      if (end + 1 < count) length += (places.row(end + 1) - places.row(end)).norm();
+    const bool whole = begin == 0 && end == count;
+    if (seen[begin] == value && !whole && length < least) std::fill(seen.begin() + begin, seen.begin() + end, !value);
+  }
+}
+
+/// Appends the parts of a line that are seen. Near a cusp a line flickers between seen and hidden: gaps are closed and
+/// crumbs left out.
+void appendParts(const Places& places, std::vector<bool> seen, std::vector<Line>& parts) {
+  turnShortRuns(places, false, shortestGap, seen);
+  turnShortRuns(places, true, shortestPart, seen);
+  const int count = static_cast<int>(seen.size());
+  for (int begin = 0, end = 0; begin < count; begin = end + 1) {
+    for (end = begin; end < count && seen[end];) ++end;
+    if (end - begin > 1) parts.push_back(places.middleRows(begin, end - begin));
+  }
+}
+
+class PictureMaker {
+ public:
+  PictureMaker(const MotionField& field, const VectorPictureOptions& options)
+      : field_(field), options_(options), occlusion_(field.surface, options.plane) {}
+
+  VectorPicture make() {
+    addLines();
+    addArrows();
+    chooseFrame();
+    return std::move(picture_);
+  }
+
+ private:
+  Places projected(const MotionField::Points& points) const {
+    Places places(points.rows(), 2);
+    places << points * options_.plane.right, points * options_.plane.up;
+    return places;
+  }
+
+  bool isSeen(int index) const {
+    if (options_.hidden) return true;
+    const Eigen::Vector3d origin = field_.origins.row(index);
+    if (field_.normals.rows() == 0) return !occlusion_.hides(origin);
+    const Eigen::Vector3d normal = field_.normals.row(index);
+    return normal.dot(options_.plane.out) > 0.0 && !occlusion_.hides(origin + lift * normal);
+  }
+
+  void addLine(const MotionField::Points& points, const MotionField::Points& lifted, std::vector<Line>& lines) const {
+    std::vector<bool> seen(points.rows());
+    for (size_t i = 0; i < seen.size(); ++i) seen[i] = !occlusion_.hides(lifted.row(i).transpose());
+    appendParts(projected(points), seen, lines);
+  }
+
+  void addLines() {
+    const TriangleMesh& surface = field_.surface;
+    for (const auto& lines :
+         {silhouettes(surface, field_.surfaceNormals, options_.plane), borders(surface, field_.surfaceNormals)})
+      for (const ContourLine& line : lines) addLine(line.points, line.points + lift * line.normals, picture_.outline);
+    for (const MotionField::Points& seam : field_.seams)
+      addLine(seam, seam.rowwise() + lift * options_.plane.out.transpose(), picture_.seams);
+  }
+
+  void addArrows() {
+    const Places places = projected(field_.origins), moves = projected(field_.vectors);
+    const Eigen::VectorXd magnitudes = field_.magnitudes();
+    std::vector<int> candidates;
+    for (int i = 0; i < field_.origins.rows(); ++i)
+      if (options_.region.contains(field_, i, options_.plane) && isSeen(i)) candidates.push_back(i);
+    for (const int i : candidates) picture_.tails.extend(Eigen::Vector2d(places.row(i)));
+    picture_.chosen = options_.sampling.choose(candidates, places, field_.columns);
+    for (const int i : picture_.chosen) {
+      const double towards = field_.vectors.row(i).dot(options_.plane.out);
+      if (magnitudes[i] > leastMotion)
+        picture_.arrows.push_back({places.row(i), moves.row(i), magnitudes[i], towards, i});
+      else
+        ++picture_.still;
+    }
+    std::stable_sort(picture_.arrows.begin(), picture_.arrows.end(),
+                     [](const PictureArrow& a, const PictureArrow& b) { return a.magnitude < b.magnitude; });
+  }
+
+  void chooseFrame() {
+    const VectorRegion& region = options_.region;
+    picture_.frame = picture_.tails;
+    if (region.rectangle) picture_.frame = *region.rectangle;
+    const bool whole = region.isWhole() || options_.wholeFrame || picture_.frame.isEmpty();
+    if (whole)
+      for (const auto* lines : {&picture_.outline, &picture_.seams})
+        for (const Line& line : *lines)
+          for (int i = 0; i < line.rows(); ++i) picture_.frame.extend(Eigen::Vector2d(line.row(i)));
+    if (whole || region.rectangle || picture_.frame.isEmpty()) return;
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(frameMargin * picture_.frame.sizes().maxCoeff() + 1.0);
+    picture_.frame = Eigen::AlignedBox2d(picture_.frame.min() - margin, picture_.frame.max() + margin);
+  }
+
+  const MotionField& field_;
+  const VectorPictureOptions& options_;
+  SurfaceOcclusion occlusion_;
+  VectorPicture picture_;
+};
+
+}  // namespace
+
+double VectorPicture::longest() const {
+  double longest = 0.0;
+  for (const PictureArrow& arrow : arrows) longest = std::max(longest, arrow.vector.norm());
+  return longest;
+}
+
+double VectorPicture::largest() const {
+  return arrows.empty() ? 0.0 : arrows.back().magnitude;
+}
+
+VectorPicture drawnVectors(const MotionField& field, const VectorPictureOptions& options) {
+  return PictureMaker(field, options).make();
+}
+
+}  // namespace mien

@@ -1,0 +1,57 @@
+#include "FaceFiles.h"
+#include "Program.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+/// The landmarks of the generic face as those of a photograph: 3 pixels per mm, y downwards.
+std::string writePhotograph(const std::string& name, double chin = 0.0) {
+  std::ifstream known(MIEN_DATA_DIR "/faces/generic68.csv");
+  std::ofstream file(name);
+  file << "landmark,x,y\n";
+  std::string line;
+  std::getline(known, line);
+  while (std::getline(known, line)) {
+    std::istringstream cells(line);
+    char comma;
+    int landmark;
+    double x, y;
+    cells >> landmark >> comma >> x >> comma >> y;
+    file << landmark << "," << 500.0 + 3.0 * x << "," << 400.0 - 3.0 * (y - (landmark == 8 ? chin : 0.0)) << "\n";
+  }
+  return name;
+}
+
+TEST(AdaptCommand, TheGenericFacesOwnPictureGivesItBack) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runMien({"adapt", writePhotograph(folder.file("p.csv")), "-o", folder.file("face.vtp"), "--json"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("\"y_down\": true"), std::string::npos) << outcome.output;
+  vtkNew<vtkBoundaryCurveReader> reader;
+  reader->SetFileName(folder.file("face.vtp").c_str());
+  reader->Update();
+  mien::FaceCurves face;
+  ASSERT_EQ(mien::readFaceCurves(reader->GetOutput(), face), "");
+  EXPECT_LT((face.curves.points - genericFace().curves.points).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST(AdaptCommand, WrongInputIsRefused) {
+  const TemporaryFolder folder;
+  const std::string output = folder.file("face.vtp"), picture = writePhotograph(folder.file("p.csv"));
+  EXPECT_EQ(runMien({"adapt", picture, "-o", folder.file("face.obj")}).exitCode, 2);
+  EXPECT_EQ(runMien({"adapt", picture, "--scale", "-1", "-o", output}).exitCode, 2);
+  EXPECT_EQ(runMien({"adapt", picture, "--y-down", "--y-up", "-o", output}).exitCode, 2);
+  const Outcome missing = runMien({"adapt", folder.file("none.csv"), "-o", output});
+  EXPECT_EQ(missing.exitCode, 1);
+  EXPECT_NE(missing.errors.find("none.csv: "), std::string::npos) << missing.errors;
+  const Outcome folded = runMien({"adapt", writePhotograph(folder.file("folded.csv"), 150.0), "-o", output});
+  EXPECT_EQ(folded.exitCode, 1);
+  EXPECT_NE(folded.errors.find("folded.csv: "), std::string::npos) << folded.errors;
+  EXPECT_EQ(entriesIn(folder.file("")), 2);
+}
+
+}  // namespace

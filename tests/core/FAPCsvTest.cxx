@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include "AnimationText.h"
+#include "FAPCsvParser.h"
+#include "FAPCsvWriter.h"
+#include "FacialActions.h"
+
+using namespace mien;
+
+namespace {
+
+FAPSequence parsed(const std::string& text) {
+  FAPSequence sequence;
+  const auto error = parseFAPCsv(text, sequence);
+  EXPECT_FALSE(error.has_value()) << error->line << ": " << error->message;
+  return sequence;
+}
+
+}  // namespace
+
+TEST(FAPCsv, ColumnsAreFoundByNumberAndByName) {
+  const FAPSequence sequence = parsed(
+      "frame,time,FAP51,fap 52,FAP53_stretch_l_cornerlip_o,stretch_r_cornerlip,Viseme_Select1,FAP2_expression_intensity1\n"
+      "7,0,1,2,3,4,5,6\n8,0.1,1.5,-2,+3e1,,0,63\n");
+  ASSERT_EQ(sequence.frames.size(), 2u);
+  EXPECT_DOUBLE_EQ(sequence.framesPerSecond, 10.0);
+  EXPECT_EQ(sequence.frames[0].number, 7.0);
+  EXPECT_EQ(sequence.frames[0].value(51), 1.0);
+  EXPECT_EQ(sequence.frames[0].value(52), 2.0);
+  EXPECT_EQ(sequence.frames[0].value(53), 3.0);
+  EXPECT_EQ(sequence.frames[0].value(7), 4.0);
+  EXPECT_EQ(sequence.frames[0].viseme.select1, 5.0);
+  EXPECT_EQ(sequence.frames[0].expression.intensity1, 6.0);
+  EXPECT_EQ(sequence.frames[1].value(53), 30.0);
+  EXPECT_TRUE(sequence.masks[0][6]);
+  EXPECT_FALSE(sequence.masks[1][6]) << "an empty cell is a FAP that is not set";
+}
+
+TEST(FAPCsv, TheCommentGoesBeforeTheTimes) {
+  const FAPSequence sequence =
+      parsed("# mine\r\n# mien fap csv 1; fps=29.97; version=2.0; name=a; b\r\n\"FAP3\" , \"FAP4\"\r\n1,2\r\n");
+  EXPECT_EQ(sequence.framesPerSecond, 29.97);
+  EXPECT_EQ(sequence.version, "2.0");
+  EXPECT_EQ(sequence.name, "a; b");
+  EXPECT_TRUE(sequence.warnings.empty());
+}
+
+TEST(FAPCsv, SemicolonsAndTabsSeparateToo) {
+  EXPECT_EQ(parsed("FAP3;FAP4;FAP5\n1;2;3\n").frames[0].value(5), 3.0);
+  EXPECT_EQ(parsed("FAP3\tFAP4\tFAP5\n1\t2\t3\n").frames[0].value(5), 3.0);
+}
+
+TEST(FAPCsv, WhatIsLeftOutOrAssumedIsSaid) {
+  const FAPSequence sequence = parsed("note,FAP3,FAP99\nhello,1,2\n");
+  ASSERT_EQ(sequence.warnings.size(), 2u);
+  EXPECT_NE(sequence.warnings[0].message.find("'note', 'FAP99'"), std::string::npos) << sequence.warnings[0].message;
+  EXPECT_NE(sequence.warnings[1].message.find("25 frames per second are assumed"), std::string::npos);
+  EXPECT_TRUE(sequence.rateIsAssumed);
+}
+
+TEST(AnimationText, EveryFormatIsRecognisedByItsFirstLines) {
+  const FacialActionMap map = bundledFacialActions();
+  const auto recognised = [&](const char* text) { return recogniseAnimation(text, map); };
+  EXPECT_EQ(recognised("2.1 speech 25 1\n"), AnimationFormat::FAP);
+  EXPECT_EQ(recognised("2.1\tspeech, long\t25\t1\n"), AnimationFormat::FAP);
+  EXPECT_EQ(recognised("# a\n0 0 0 0 0\n"), AnimationFormat::FAP);
+  EXPECT_EQ(recognised(""), AnimationFormat::FAP);
+  EXPECT_EQ(recognised("frame,FAP3\n"), AnimationFormat::FAPCsv);
+  EXPECT_EQ(recognised("# mien fap csv 1; fps=25\nframe,time\n"), AnimationFormat::FAPCsv);
+  EXPECT_EQ(recognised("frame, face_id, timestamp, confidence, success, AU01_r, AU02_r\n"), AnimationFormat::ActionUnits);
+  EXPECT_EQ(recognised("Timecode,BlendshapeCount,EyeBlinkLeft\n"), AnimationFormat::Blendshapes);
+  EXPECT_EQ(recognised("a,b,c\n"), std::nullopt);
+}

@@ -1,0 +1,272 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "ColorTable.h"
+#include "PicturePlane.h"
+#include "SurfaceContour.h"
+#include "SurfaceOcclusion.h"
+#include "SyntheticFace.h"
+#include "VectorPicture.h"
+#include "VectorScale.h"
+
+namespace {
+
+using mien::VectorSampling;
+
+/// A sphere of radius 50 mm, poles up and down, wound outwards.
+mien::TriangleMesh sphere(int rows = 40, int columns = 60, double radius = 50.0) {
+  mien::TriangleMesh mesh;
+  mesh.vertices.resize((rows + 1) * columns, 3);
+  for (int r = 0; r <= rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const double latitude = M_PI * r / rows, longitude = 2.0 * M_PI * c / columns;
+      mesh.vertices.row(r * columns + c) << radius * std::sin(latitude) * std::sin(longitude),
+          radius * std::cos(latitude), radius * std::sin(latitude) * std::cos(longitude);
+    }
+  mesh.triangles.resize(2 * rows * columns, 3);
+  for (int r = 0; r < rows; ++r)
+    for (int c = 0; c < columns; ++c) {
+      const int a = r * columns + c, b = r * columns + (c + 1) % columns, below = columns;
+      mesh.triangles.row(2 * (r * columns + c)) << a, a + below, b;
+      mesh.triangles.row(2 * (r * columns + c) + 1) << b, a + below, b + below;
+    }
+  return mesh;
+}
+
+mien::MotionField sphereField(const Eigen::RowVector3d& move) {
+  mien::MotionField field;
+  field.surface = sphere();
+  field.origins = field.surface.vertices;
+  field.normals = field.surfaceNormals = field.origins.rowwise().normalized();
+  field.vectors = move.replicate(field.origins.rows(), 1);
+  field.columns = 60;
+  for (long long i = 0; i < field.origins.rows(); ++i) field.ids.push_back(i);
+  return field;
+}
+
+Eigen::Matrix<double, Eigen::Dynamic, 2> lattice(int side, double step) {
+  Eigen::Matrix<double, Eigen::Dynamic, 2> places(side * side, 2);
+  for (int i = 0; i < side * side; ++i) places.row(i) << step * (i % side), step * (i / side);
+  return places;
+}
+
+std::vector<int> numbers(int count) {
+  std::vector<int> all(count);
+  for (int i = 0; i < count; ++i) all[i] = i;
+  return all;
+}
+
+}  // namespace
+
+TEST(PicturePlane, IsOrthonormalAndRightHanded) {
+  mien::PicturePlane plane;
+  EXPECT_EQ(plane.look({3.0, 1.0, 2.0}, {0.0, 5.0, 0.0}), "");
+  EXPECT_NEAR(plane.right.dot(plane.up), 0.0, 1e-15);
+  EXPECT_NEAR((plane.right.cross(plane.up) - plane.out).norm(), 0.0, 1e-15);
+  EXPECT_NEAR((plane.out - Eigen::Vector3d(3.0, 1.0, 2.0).normalized()).norm(), 0.0, 1e-15);
+  EXPECT_GT(plane.up.y(), 0.0);
+  EXPECT_NE(plane.look({0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}), "");
+  EXPECT_NE(plane.look({0.0, 2.0, 0.0}, {0.0, 1.0, 0.0}), "");
+}
+
+TEST(SurfaceOcclusion, ASphereHidesItsBackAndWhatIsBehindIt) {
+  const mien::TriangleMesh mesh = sphere();
+  for (const Eigen::Vector3d& view :
+       {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(1, 0, 1), Eigen::Vector3d(-1, 0.5, 0.2)}) {
+    mien::PicturePlane plane;
+    plane.look(view, Eigen::Vector3d::UnitY());
+    const mien::SurfaceOcclusion occlusion(mesh, plane);
+    for (int i = 0; i < mesh.vertices.rows(); ++i) {
+      const Eigen::Vector3d p = mesh.vertices.row(i);
+      const double facing = p.normalized().dot(plane.out);
+      EXPECT_TRUE(std::abs(facing) < 0.2 || occlusion.hides(p) == (facing < 0.0)) << p.transpose();
+    }
+    EXPECT_TRUE(occlusion.hides(-60.0 * plane.out));
+    EXPECT_FALSE(occlusion.hides(60.0 * plane.out));
+    EXPECT_FALSE(occlusion.hides(-60.0 * plane.out + 51.0 * plane.right));
+  }
+}
+
+TEST(SurfaceOcclusion, NoSurfaceHidesNothing) {
+  EXPECT_FALSE(mien::SurfaceOcclusion(mien::TriangleMesh(), mien::PicturePlane()).hides({0.0, 0.0, 0.0}));
+}
+
+TEST(SurfaceContour, TheSilhouetteOfASphereIsItsGreatCircleInOneLine) {
+  mien::PicturePlane plane;
+  plane.look({0.3, 0.2, 1.0}, Eigen::Vector3d::UnitY());
+  const mien::TriangleMesh mesh = sphere();
+  const auto lines = mien::silhouettes(mesh, mesh.vertices.rowwise().normalized(), plane);
+  ASSERT_EQ(lines.size(), 1u);
+  const auto& points = lines[0].points;
+  EXPECT_EQ(points.row(0), points.row(points.rows() - 1));
+  double length = 0.0;
+  for (int i = 0; i < points.rows(); ++i) {
+    EXPECT_NEAR(points.row(i).dot(plane.out), 0.0, 1e-10);
+    EXPECT_NEAR(points.row(i).norm(), 50.0, 0.25);
+    if (i > 0) length += (points.row(i) - points.row(i - 1)).norm();
+  }
+  EXPECT_NEAR(length, 2.0 * M_PI * 50.0, 1.5);
+}
+
+TEST(SurfaceContour, BordersAreTheRimsOfAnOpenSurface) {
+  mien::TriangleMesh mesh = sphere();
+  const auto normals = mien::vertexNormals(mesh);
+  mesh.triangles = mesh.triangles.middleRows(60 * 2 * 5, 60 * 2 * 30).eval();  // without the caps
+  const auto lines = mien::borders(mesh, normals);
+  ASSERT_EQ(lines.size(), 2u);
+  for (const auto& line : lines) EXPECT_EQ(line.points.rows(), 61);
+}
+
+TEST(SurfaceContour, NormalsOfASpherePointOutwards) {
+  const mien::TriangleMesh mesh = sphere();
+  const auto normals = mien::vertexNormals(mesh);
+  for (int i = 60; i < mesh.vertices.rows() - 60; ++i)
+    EXPECT_GT(normals.row(i).dot(mesh.vertices.row(i).normalized()), 0.999);
+}
+
+TEST(SurfaceContour, PiecesJoinWhateverTheirOrder) {
+  const auto lines = mien::joinedPieces({{4, 3}, {1, 2}, {2, 3}, {7, 8}, {8, 9}, {9, 7}});
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_TRUE(lines[0] == std::vector<int>({4, 3, 2, 1}) || lines[0] == std::vector<int>({1, 2, 3, 4}));
+  EXPECT_EQ(lines[1].size(), 4u);
+  EXPECT_EQ(lines[1].front(), lines[1].back());
+}
+
+TEST(VectorSampling, EveryNthVertexIsStaggeredInAGrid) {
+  VectorSampling sampling;
+  ASSERT_EQ(sampling.parse("every:2"), "");
+  const auto places = lattice(4, 1.0);
+  EXPECT_EQ(sampling.choose(numbers(16), places, 4), (std::vector<int>{0, 2, 5, 7, 8, 10, 13, 15}));
+  EXPECT_EQ(sampling.choose(numbers(16), places, 0).size(), 8u);
+  sampling.step = 1;
+  EXPECT_EQ(sampling.choose({3, 5, 9}, places, 4), (std::vector<int>{3, 5, 9}));
+}
+
+TEST(VectorSampling, EvenKeepsItsDistanceAndLeavesNoHoles) {
+  VectorSampling sampling;
+  ASSERT_EQ(sampling.parse("even:4mm"), "");
+  const auto places = lattice(50, 0.9);
+  const std::vector<int> chosen = sampling.choose(numbers(2500), places, 50);
+  const double expected = std::pow(50 * 0.9, 2) / (16.0 * std::sqrt(0.75));  // of a hexagonal lattice
+  EXPECT_NEAR(chosen.size() / expected, 1.0, 0.15);  // points along the border stand for less area
+  for (size_t i = 0; i < chosen.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      EXPECT_GE((places.row(chosen[i]) - places.row(chosen[j])).norm(), 3.0 * (1.0 - 1e-5));
+  for (int i = 0; i < 2500; ++i) {
+    double nearest = 1e300;
+    for (const int c : chosen) nearest = std::min(nearest, (places.row(i) - places.row(c)).norm());
+    EXPECT_LT(nearest, 3.0);
+  }
+}
+
+TEST(VectorSampling, RefusesWhatItCannotRead) {
+  VectorSampling sampling;
+  for (const char* const text :
+       {"", "every", "every:0", "every:1.5", "every:-2", "even:0", "even:x", "odd:2", "even:5cm", "even:1e9"})
+    EXPECT_NE(sampling.parse(text), "") << text;
+  EXPECT_EQ(sampling.text(), "every:1");
+}
+
+TEST(VectorScale, NumbersAreRound) {
+  EXPECT_EQ(mien::roundAbove(3.0), 5.0);
+  EXPECT_EQ(mien::roundAbove(5.0), 5.0);
+  EXPECT_EQ(mien::roundAbove(0.11), 0.2);
+  EXPECT_EQ(mien::roundBelow(3.0), 2.0);
+  EXPECT_EQ(mien::roundBelow(9.9), 5.0);
+  EXPECT_EQ(mien::roundBelow(10.0), 10.0);
+  EXPECT_EQ(mien::roundBelow(0.019), 0.01);
+  EXPECT_EQ(mien::automaticScale(8.0, 10.0), 0.8);
+  EXPECT_EQ(mien::automaticScale(0.0, 10.0), 1.0);
+  EXPECT_EQ(mien::automaticRangeEnd(8.68), 9.0);
+  EXPECT_EQ(mien::automaticRangeEnd(0.0), 1.0);
+  for (double longest = 1e-5; longest < 1e5; longest *= 1.37) {
+    const double scale = mien::automaticScale(longest, 7.0);
+    EXPECT_LE(longest / scale, 7.0 * (1.0 + 1e-8));
+    EXPECT_GT(longest / scale, 7.0 / 1.5);
+  }
+}
+
+TEST(VectorRegion, ReadsPatchesNamesAndRectangles) {
+  const mien::FaceCurves face = SyntheticFace::make();
+  mien::VectorRegion region;
+  EXPECT_TRUE(region.isWhole());
+  EXPECT_EQ(region.parse("P7", nullptr), "");
+  EXPECT_EQ(region.patch, 7);
+  EXPECT_EQ(region.parse("-30,-80.5,30,-50", nullptr), "");
+  EXPECT_EQ(region.rectangle->min().y(), -80.5);
+  EXPECT_EQ(region.parse("mouth", &face), "");
+  EXPECT_TRUE(region.box->contains(Eigen::Vector3d(face.curves.at(21, M_PI))));
+  EXPECT_FALSE(region.box->contains(Eigen::Vector3d(face.curves.at(21, 0.0))));  // the same height at the back
+  EXPECT_FALSE(region.box->contains(face.leftPupil));
+  EXPECT_EQ(region.parse("eyes", &face), "");
+  EXPECT_TRUE(region.box->contains(face.leftPupil));
+  for (const char* const text : {"P9", "Px", "ears", "1,2,3", "3,0,1,2", "1,2,x,4", ""})
+    EXPECT_NE(region.parse(text, &face), "") << text;
+  EXPECT_NE(region.parse("brows", nullptr).find("rectangle"), std::string::npos);
+  EXPECT_EQ(region.name, "eyes");
+}
+
+TEST(VectorPicture, ShowsTheFrontAndProjectsExactly) {
+  const mien::MotionField field = sphereField({1.0, 2.0, 3.0});
+  mien::VectorPictureOptions options;
+  options.plane.look({1.0, 0.0, 1.0}, Eigen::Vector3d::UnitY());
+  const mien::VectorPicture picture = mien::drawnVectors(field, options);
+  EXPECT_NEAR(picture.arrows.size() / static_cast<double>(field.origins.rows()), 0.5, 0.03);
+  for (const mien::PictureArrow& arrow : picture.arrows) {
+    EXPECT_GT(field.origins.row(arrow.index).dot(options.plane.out), 0.0);
+    EXPECT_NEAR(arrow.vector.x(), (1.0 - 3.0) / std::sqrt(2.0), 1e-14);
+    EXPECT_EQ(arrow.vector.y(), 2.0);
+    EXPECT_NEAR(arrow.towards, 4.0 / std::sqrt(2.0), 1e-14);
+    EXPECT_NEAR(arrow.magnitude, std::sqrt(14.0), 1e-14);
+  }
+  options.hidden = true;
+  EXPECT_EQ(mien::drawnVectors(field, options).arrows.size(), static_cast<size_t>(field.origins.rows()));
+  ASSERT_EQ(picture.outline.size(), 3u);  // and the poles, points where the mesh is open
+  EXPECT_NEAR(picture.frame.sizes().x(), 100.0, 0.5);
+}
+
+TEST(VectorPicture, ZeroMotionHasNoArrows) {
+  const mien::VectorPicture picture = mien::drawnVectors(sphereField({0.0, 0.0, 0.0}), {});
+  EXPECT_TRUE(picture.arrows.empty());
+  EXPECT_GT(picture.still, 1000);
+  EXPECT_EQ(picture.largest(), 0.0);
+  EXPECT_EQ(picture.longest(), 0.0);
+}
+
+TEST(VectorPicture, ARegionIsEnlargedOrShownWithinTheWhole) {
+  const mien::MotionField field = sphereField({0.0, 1.0, 0.0});
+  mien::VectorPictureOptions options;
+  options.region.parse("-10,-5,20,15", nullptr);
+  const mien::VectorPicture part = mien::drawnVectors(field, options);
+  EXPECT_GT(part.arrows.size(), 10u);
+  for (const mien::PictureArrow& arrow : part.arrows) {
+    EXPECT_TRUE(arrow.tail.x() >= -10.0 && arrow.tail.x() <= 20.0);
+    EXPECT_TRUE(arrow.tail.y() >= -5.0 && arrow.tail.y() <= 15.0);
+  }
+  EXPECT_EQ(part.frame.sizes().x(), 30.0);
+  options.wholeFrame = true;
+  EXPECT_GT(mien::drawnVectors(field, options).frame.sizes().x(), 99.0);
+}
+
+TEST(VectorPicture, AnEmptyFieldIsNoFault) {
+  EXPECT_TRUE(mien::drawnVectors(mien::MotionField(), {}).arrows.empty());
+}
+
+TEST(ColorTable, GetsLighterSteadily) {
+  ASSERT_EQ(mien::ColorTable::all().size(), 5u);
+  for (const mien::ColorTable& table : mien::ColorTable::all()) {
+    double before = -1.0;
+    for (double t = 0.0; t <= 1.0; t += 1.0 / 51.0) {
+      const auto color = table.at(t);
+      const double light = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+      EXPECT_GT(light, before - 0.004) << table.name << " at " << t;
+      before = light;
+    }
+    EXPECT_EQ(table.at(-1.0), table.at(0.0));
+    EXPECT_EQ(table.at(2.0), table.at(1.0));
+    EXPECT_EQ(mien::ColorTable::find(table.name), &table);
+  }
+  EXPECT_EQ(mien::ColorTable::find("jet"), nullptr);
+}

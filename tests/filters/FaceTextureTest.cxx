@@ -1,0 +1,231 @@
+#include <gtest/gtest.h>
+
+#include "FaceFiles.h"
+#include "FaceTexture.h"
+#include "FaceWarpLayout.h"
+#include "ImageFile.h"
+#include "TemporaryFolder.h"
+#include "TestImages.h"
+#include "TextFile.h"
+#include "WarpMeshData.h"
+#include "WarpMeshText.h"
+#include "vtkBoundaryCurveReader.h"
+#include "vtkFaceWarpMeshFilter.h"
+#include "vtkJPEGWriter.h"
+#include "vtkPNGWriter.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTIFFWriter.h"
+
+using namespace mien;
+
+namespace {
+
+using Kind = FaceWarpLayout::Kind;
+constexpr Kind kinds[] = {Kind::SevenBySeven, Kind::Fine};
+
+FaceWarpLayout layoutOf(Kind kind) {
+  FaceWarpLayout layout;
+  EXPECT_EQ(layout.set(kind, genericFace()), "");
+  return layout;
+}
+
+/// A picture of the generic face of 4 pixels per mm, turned and scaled, on which the 25 places are marked.
+struct Photograph {
+  FaceCurves face = genericFace();
+  WarpMesh places = frontMesh(layoutOf(Kind::SevenBySeven), face, 4.0, {-80.0, 120.0}, 640, 840);
+  ImageLandmarks landmarks;
+  explicit Photograph(double turn = 0.0, double scale = 1.0) {
+    const double c = scale * std::cos(turn), s = scale * std::sin(turn);
+    for (int i = 0; i < 7; ++i)
+      for (int j = 0; j < 7; ++j) {
+        const double x = places.x(i, j), y = places.y(i, j);
+        places.x(i, j) = 100.0 + c * x - s * y;
+        places.y(i, j) = 50.0 + s * x + c * y;
+        if (!places.names[7 * i + j].empty()) landmarks[places.names[7 * i + j]] = {places.x(i, j), places.y(i, j)};
+      }
+  }
+};
+
+template <typename Writer>
+void write(vtkImageData* image, const std::string& file) {
+  vtkNew<Writer> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(file.c_str());
+  writer->Write();
+}
+
+double colour(vtkImageData* image, double share, double down, int c) {
+  const int* size = image->GetDimensions();
+  return image->GetScalarComponentAsDouble(static_cast<int>(share * size[0]),
+                                           size[1] - 1 - static_cast<int>(down * size[1]), 0, c);
+}
+
+}  // namespace
+
+TEST(FaceWarpLayout, ThePlacesLieWhereTheSurfaceHasThem) {
+  for (const Kind kind : kinds) {
+    const FaceWarpLayout layout = layoutOf(kind);
+    const WarpMesh mesh = textureMesh(layout, 360, 270);
+    EXPECT_EQ(describeFault(mesh, "mesh"), "");
+    EXPECT_NEAR(mesh.x(0, 0), 90.0, 1e-9) << "the frontal half of v";
+    EXPECT_NEAR(mesh.x(0, mesh.columns() - 1), 270.0, 1e-9);
+    EXPECT_EQ(mesh.y(0, 0), 0.0);
+    EXPECT_EQ(mesh.y(mesh.rows() - 1, 0), 270.0);
+    Kind found{};
+    EXPECT_TRUE(FaceWarpLayout::kindOf(mesh, found) && found == kind);
+    EXPECT_EQ(FaceWarpLayout::sizeOf(kind), std::pair(mesh.rows(), mesh.columns()));
+  }
+  const WarpMesh mesh = textureMesh(layoutOf(Kind::SevenBySeven), 360, 270);
+  EXPECT_EQ(mesh.names[4 * 7 + 3], "8.1");
+  EXPECT_NEAR(mesh.x(4, 3), 180.0, 1e-9);
+  EXPECT_NEAR(mesh.y(4, 3), 200.0, 1e-9) << "C21 is 20 of 27 intervals down";
+  EXPECT_NEAR(mesh.y(4, 1), 210.0, 1e-9) << "the lip line";
+  EXPECT_GT(mesh.x(4, 5), 180.0) << "8.3, the subject's left, is right in the picture";
+  EXPECT_EQ(mesh.names[4 * 7 + 5], "8.3");
+}
+
+TEST(FaceWarpLayout, TwentyFivePointsGiveTheirMesh) {
+  for (const double turn : {0.0, 0.1}) {
+    const Photograph photograph(turn, 0.6);
+    WarpMesh mesh;
+    ASSERT_EQ(photographMesh(layoutOf(Kind::SevenBySeven), photograph.face, photograph.landmarks, 640, 840, mesh), "");
+    EXPECT_LT((mesh.x - photograph.places.x).cwiseAbs().maxCoeff(), 1e-6)
+        << "an affine picture of the face is followed to its border";
+    EXPECT_LT((mesh.y - photograph.places.y).cwiseAbs().maxCoeff(), 1e-6);
+    ASSERT_EQ(photographMesh(layoutOf(Kind::Fine), photograph.face, photograph.landmarks, 640, 840, mesh), "");
+  }
+}
+
+TEST(FaceWarpLayout, LandmarksThatAreMissingOrSwappedAreNamed) {
+  Photograph photograph;
+  WarpMesh mesh;
+  const auto fault = [&] {
+    return photographMesh(layoutOf(Kind::SevenBySeven), photograph.face, photograph.landmarks, 640, 840, mesh);
+  };
+  std::swap(photograph.landmarks["8.1"], photograph.landmarks["9.12"]);
+  EXPECT_NE(fault().find("folded: rows"), std::string::npos) << fault();
+  photograph.landmarks.erase("8.1");
+  EXPECT_NE(fault().find("landmark 8.1 is missing"), std::string::npos) << fault();
+  photograph.landmarks = {{"0", {1, 2}}};
+  EXPECT_NE(fault().find("all 68 are needed"), std::string::npos) << fault();
+  FaceCurves bare = photograph.face;
+  bare.features.clear();
+  FaceWarpLayout layout;
+  EXPECT_NE(layout.set(Kind::SevenBySeven, bare).find("4.6"), std::string::npos);
+}
+
+TEST(FaceWarpMeshFilter, GivesTheMeshOfTheCurves) {
+  vtkNew<vtkBoundaryCurveReader> curves;
+  vtkNew<vtkFaceWarpMeshFilter> filter;
+  filter->SetInputConnection(curves->GetOutputPort());
+  filter->SetTextureSize(400, 200);
+  for (const Kind kind : kinds) {
+    filter->SetFine(kind == Kind::Fine);
+    filter->Update();
+    WarpMesh mesh;
+    ASSERT_EQ(readWarpMesh(filter->GetOutput(), mesh), "");
+    EXPECT_TRUE(mesh.x.isApprox(textureMesh(layoutOf(kind), 400, 200).x, 1e-12));
+  }
+}
+
+/// Red on the subject's right, which is left in the picture; green on the left; blue above the eyes.
+TEST(FaceTexture, SidesAreNotMirroredAndTheTopIsUp) {
+  const TemporaryFolder folder;
+  Photograph photograph;
+  auto image = wavyImage(640, 840, VTK_UNSIGNED_CHAR, 3, 0.0);
+  for (int y = 0; y < 840; ++y)
+    for (int x = 0; x < 640; ++x) {
+      image->SetScalarComponentFromDouble(x, y, 0, x < 320 ? 0 : 1, 200.0);
+      image->SetScalarComponentFromDouble(x, y, 0, 2, y > 540 ? 250.0 : 0.0);
+    }
+  write<vtkPNGWriter>(image, folder.file("face.png"));
+  vtkNew<vtkBoundaryCurveReader> curves;
+  curves->Update();
+  for (const Kind kind : kinds) {
+    const WarpMesh mesh = frontMesh(layoutOf(kind), photograph.face, 4.0, {-80.0, 120.0}, 640, 840);
+    writeTextFile(folder.file("face.csv"), writeWarpMesh(mesh));
+    FaceState state;
+    state.texture = folder.file("face.png");
+    vtkNew<vtkImageData> texture;
+    ASSERT_EQ(makeFaceTexture(state, curves->GetOutput(), texture), "");
+    EXPECT_EQ(texture->GetScalarType(), VTK_UNSIGNED_CHAR);
+    EXPECT_NEAR(colour(texture, 0.4, 0.5, 0), 200.0, 1.0) << "v < pi, the subject's right";
+    EXPECT_NEAR(colour(texture, 0.6, 0.5, 1), 200.0, 1.0) << "v > pi, the subject's left";
+    EXPECT_NEAR(colour(texture, 0.5, 3.0 / 27.0, 2), 250.0, 1.0) << "C4 is above the eyes";
+    EXPECT_NEAR(colour(texture, 0.5, 12.0 / 27.0, 2), 0.0, 1.0) << "C13 is below";
+    EXPECT_NEAR(colour(texture, 0.0, 0.5, 0), colour(texture, 0.9999, 0.5, 0), 1.0) << "no seam at the back";
+  }
+}
+
+TEST(FaceTexture, SaysWhichFileIsWrong) {
+  const TemporaryFolder folder;
+  vtkNew<vtkBoundaryCurveReader> curves;
+  curves->Update();
+  vtkNew<vtkImageData> texture;
+  FaceState state;
+  state.texture = folder.file("face.png");
+  const auto fault = [&] { return makeFaceTexture(state, curves->GetOutput(), texture); };
+  EXPECT_EQ(fault().rfind(state.texture + ": it cannot be opened", 0), 0u) << fault();
+  write<vtkPNGWriter>(wavyImage(64, 48, VTK_UNSIGNED_CHAR, 1, 255.0), state.texture);
+  EXPECT_EQ(fault().rfind(folder.file("face.csv") + ": it cannot be opened", 0), 0u) << fault();
+  writeTextFile(folder.file("face.csv"), writeWarpMesh(evenMesh(3, 5, 64, 48)));
+  EXPECT_NE(fault().find("3 x 5"), std::string::npos) << fault();
+  writeTextFile(folder.file("other.csv"), writeWarpMesh(evenMesh(7, 7, 64, 48)));
+  state.textureMesh = folder.file("other.csv");
+  EXPECT_EQ(fault(), "");
+  EXPECT_EQ(texture->GetNumberOfScalarComponents(), 3) << "grey becomes red, green and blue";
+}
+
+TEST(ImageFile, ReadsTheKindsOfPicturesUpright) {
+  const TemporaryFolder folder;
+  const auto image = wavyImage(40, 30, VTK_UNSIGNED_CHAR, 3, 255.0);
+  write<vtkPNGWriter>(image, folder.file("a.png"));
+  write<vtkJPEGWriter>(image, folder.file("a.JPG"));
+  write<vtkTIFFWriter>(image, folder.file("a.tif"));
+  write<vtkPNGWriter>(wavyImage(40, 30, VTK_UNSIGNED_SHORT, 3, 65535.0), folder.file("b.png"));
+  write<vtkTIFFWriter>(wavyImage(40, 30, VTK_FLOAT, 1, 1.0), folder.file("b.tiff"));
+  for (const char* name : {"a.png", "a.JPG", "a.tif", "b.png", "b.tiff"}) {
+    vtkNew<vtkImageData> read;
+    ASSERT_EQ(readImageFile(folder.file(name), read), "") << name;
+    ASSERT_EQ(read->GetDimensions()[1], 30) << name;
+    const double scale = read->GetScalarType() == VTK_FLOAT            ? 255.0
+                         : read->GetScalarType() == VTK_UNSIGNED_SHORT ? 1.0 / 257.0
+                                                                       : 1.0;
+    for (const int y : {3, 25})
+      EXPECT_NEAR(scale * read->GetScalarComponentAsDouble(10, y, 0, 0), image->GetScalarComponentAsDouble(10, y, 0, 0),
+                  8.0)
+          << name << ", row " << y;
+  }
+}
+
+TEST(ImageFile, DamagedPicturesAreRefusedInOneSentence) {
+  const TemporaryFolder folder;
+  const auto image = wavyImage(300, 200, VTK_UNSIGNED_CHAR, 3, 255.0);
+  write<vtkPNGWriter>(image, folder.file("a.png"));
+  write<vtkJPEGWriter>(image, folder.file("a.jpg"));
+  write<vtkTIFFWriter>(image, folder.file("a.tif"));
+  vtkNew<vtkImageData> read;
+  const auto expectRefusal = [&](const std::string& file) {
+    const std::string fault = readImageFile(file, read);
+    EXPECT_EQ(fault.rfind(file + ": it", 0), 0u) << fault;
+    EXPECT_EQ(fault.find('\n'), std::string::npos) << fault;
+    EXPECT_EQ(read->GetNumberOfPoints(), 0) << file;
+  };
+  for (const char* ending : {"png", "jpg", "tif"}) {
+    const std::string whole = readTextFile(folder.file(std::string("a.") + ending)),
+                      file = folder.file(std::string("b.") + ending);
+    for (const double share : {0.0, 0.02, 0.5, 0.9}) {
+      writeTextFile(file, whole.substr(0, static_cast<std::size_t>(share * whole.size())));
+      expectRefusal(file);
+    }
+    writeTextFile(file, "mien_warp_mesh,1,10,10\n");
+    expectRefusal(file);
+  }
+  std::string vast = readTextFile(folder.file("a.png"));
+  vast.replace(16, 8, std::string("\x7f\xff\xff\xff\x7f\xff\xff\xff", 8));
+  writeTextFile(folder.file("vast.png"), vast);
+  expectRefusal(folder.file("vast.png"));
+  writeTextFile(folder.file("a.gif"), "GIF89a");
+  expectRefusal(folder.file("a.gif"));
+  expectRefusal(folder.file("none.png"));
+}

@@ -1,0 +1,17 @@
+#include "ExportDrawing.h"
+
+#include "FigurePainter.h"
+
+#include <memory>
+
+namespace mien {
+
+ExportDrawing::ExportDrawing(const Figure& figure) {
+  if (figure.panels.empty()) return;
+  const auto painter = std::make_shared<FigurePainter>(figure, *FigureTheme::find("light"), width);
+  size = painter->size();
+  paint = [painter](QPainter& target) { painter->paint(target); };
+  title = figure.title;
+}
+
+}  // namespace mien

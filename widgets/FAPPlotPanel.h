@@ -1,0 +1,61 @@
+#pragma once
+
+#include "FAPPlotFigure.h"
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QLabel;
+class QListWidget;
+class QListWidgetItem;
+
+namespace mien {
+
+class AnimationPlayer;
+class FaceModel;
+class FigureView;
+
+/// How do the FAPs of the animation go over time? Those chosen in a list, which is the legend as well; the line is the
+/// frame shown, and dragging it scrubs.
+class FAPPlotPanel : public QWidget {
+  Q_OBJECT
+ public:
+  FAPPlotPanel(FaceModel* model, AnimationPlayer* player, QWidget* parent = nullptr);
+  ~FAPPlotPanel() override;
+
+  double shownBegin() const { return begin_; }  ///< s
+  double shownEnd() const { return end_; }      ///< s
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QWidget* controls();
+  void connectAll();
+  void followAnimation();
+  void listFAPs();
+  void chooseSome();
+  void followChoice();
+  void addChosen(QListWidgetItem* item);
+  void followFrame();
+  void followRange();
+  void zoom(double time, double factor);
+  void showTimes(double begin, double end);
+  void draw();
+  void drawSwatches();
+  double duration() const;
+  Figure fullFigure() const;
+  std::string numbers() const;
+
+  FaceModel* model_;
+  AnimationPlayer* player_;
+  FigureView* figure_;
+  QListWidget* list_;
+  QLabel* hint_;
+  std::vector<PlottedFAP> chosen_;
+  double begin_ = 0.0, end_ = 1.0;  ///< s
+  bool outdated_ = true;
+};
+
+}  // namespace mien

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "FaceState.h"
+#include "MotionVectorOptions.h"
+
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <vector>
+
+namespace mien {
+
+class BackgroundTask;
+class FaceMotion;
+class MotionVectorFigure;
+struct MotionField;
+
+/// What is drawn, and against what.
+struct MotionRequest {
+  FaceState moved, origin;
+  std::string originName;       ///< of the origin, in words
+  MotionVectorOptions options;  ///< without a region
+  std::string region;           ///< as VectorRegion reads it; empty: the whole face
+  bool headMotionRemoved = false;
+};
+
+/// What came out.
+struct MotionResult {
+  QString fault;  ///< why there is nothing else
+  MotionRequest request;        ///< with the region in its options
+  std::shared_ptr<const MotionField> field;
+  std::shared_ptr<const MotionVectorFigure> figure;
+  std::vector<int> chosen;  ///< vectors of the region and the sampling, seen or not
+};
+
+/// Computes motion vector figures on a thread of its own, the latest request last.
+///
+/// While scale and range are left open they are chosen once and then only grow, so that arrows keep their meaning while
+/// a face moves; fit() chooses them anew.
+class LiveMotion : public QObject {
+  Q_OBJECT
+ public:
+  explicit LiveMotion(QObject* parent);
+  ~LiveMotion() override;
+
+  void request(const MotionRequest& request);
+  void fit();
+
+  /// The last result; without a figure until there is one.
+  const MotionResult& result() const { return result_; }
+
+ signals:
+  void finished();
+
+ private:
+  struct Held;
+  static void measure(FaceMotion& motion, MotionResult& result);
+  static void draw(Held& held, MotionResult& result);
+
+  MotionResult result_;
+  std::shared_ptr<FaceMotion> motion_;
+  std::shared_ptr<Held> held_;
+  BackgroundTask* task_;
+};
+
+}  // namespace mien

@@ -1,0 +1,99 @@
+#include "OriginChooser.h"
+
+#include "FaceModel.h"
+#include "FaceMotion.h"
+#include "Icons.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <QVariant>
+
+#include <algorithm>
+
+namespace mien {
+
+namespace {
+
+constexpr int neutral = 0, frameBefore = 1, firstPin = 2;  // in the list
+
+/// What is particular about a state: "frame 100, joy 60 %, 3 FAPs"; or "neutral".
+QString describe(const FaceModel& model) {
+  const FaceState& state = model.state();
+  QStringList parts;
+  if (model.frameCount() > 0) parts << OriginChooser::tr("frame %1").arg(model.frameNumber());
+  for (const auto& [name, intensity] : state.expressions)
+    parts << QString("%1 %2 %").arg(QString::fromStdString(name)).arg(qRound(100.0 * intensity));
+  if (!state.fapValues.empty()) parts << OriginChooser::tr("%n FAP(s)", nullptr, static_cast<int>(state.fapValues.size()));
+  return parts.isEmpty() ? OriginChooser::tr("neutral") : parts.join(", ");
+}
+
+}  // namespace
+
+OriginChooser::OriginChooser(FaceModel* model, QWidget* parent)
+    : QWidget(parent), model_(model), choice_(new QComboBox(this)), unpin_(new QToolButton(this)) {
+  choice_->setObjectName("vectorsAgainst");
+  choice_->addItems({tr("Neutral face"), tr("Frame before")});
+  choice_->setToolTip(tr("Where the vectors start: the neutral face, the frame before of the animation, or a state that was pinned"));
+  choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  auto* pin = new QToolButton(this);
+  pin->setObjectName("vectorsPin");
+  pin->setText(tr("Pin"));
+  pin->setProperty("framed", true);
+  pin->setToolTip(tr("Pin this state: keep the face as it is now, with scheme and a, and measure motion against it"));
+  pin->setFocusPolicy(Qt::TabFocus);
+  unpin_->setObjectName("vectorsUnpin");
+  unpin_->setIcon(icon(Symbol::Close));
+  unpin_->setIconSize({11, 11});
+  unpin_->setToolTip(tr("Forget the chosen pinned state"));
+  unpin_->setFocusPolicy(Qt::TabFocus);
+  unpin_->setEnabled(false);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  row->addWidget(choice_, 1);
+  row->addWidget(pin);
+  row->addWidget(unpin_);
+  connect(choice_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
+    unpin_->setEnabled(index >= firstPin);
+    emit changed();
+  });
+  connect(pin, &QToolButton::clicked, this, &OriginChooser::pin);
+  connect(unpin_, &QToolButton::clicked, this, &OriginChooser::unpin);
+}
+
+const FaceState* OriginChooser::pinned() const {
+  const int number = choice_->currentData().toInt();
+  const auto found = std::find_if(pins_.begin(), pins_.end(), [&](const auto& pin) { return pin.first == number; });
+  return found == pins_.end() ? nullptr : &found->second;
+}
+
+/// The first frame has none before it and does not move.
+FaceState OriginChooser::origin() const {
+  if (const FaceState* state = pinned()) return *state;
+  FaceState state = model_->state();
+  if (choice_->currentIndex() == neutral || model_->frameCount() == 0) return FaceMotion::neutralOf(state);
+  state.frameChoice = FaceState::FrameChoice::Index;
+  state.interpolateFrames = false;
+  state.frame = std::max(0, model_->frameIndex() - 1);
+  return state;
+}
+
+QString OriginChooser::originName() const {
+  if (pinned()) return choice_->currentText();
+  return choice_->currentIndex() == frameBefore && model_->frameCount() > 0 ? tr("the frame before") : tr("the neutral face");
+}
+
+void OriginChooser::pin() {
+  pins_.emplace_back(++pinCount_, model_->state());
+  choice_->addItem(tr("Pin %1: %2").arg(pinCount_).arg(describe(*model_)), pinCount_);
+  choice_->setCurrentIndex(choice_->count() - 1);
+}
+
+void OriginChooser::unpin() {
+  const int number = choice_->currentData().toInt();
+  pins_.erase(std::remove_if(pins_.begin(), pins_.end(), [&](const auto& pin) { return pin.first == number; }), pins_.end());
+  if (choice_->currentIndex() >= firstPin) choice_->removeItem(choice_->currentIndex());
+}
+
+}  // namespace mien

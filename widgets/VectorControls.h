@@ -1,0 +1,61 @@
+#pragma once
+
+#include "MotionVectorOptions.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+
+namespace mien {
+
+class RenderView;
+
+/// How is a motion vector field drawn? Origin, view, region, sampling, arrows, colours, in two columns. Its widgets are
+/// named vectorsView, vectorsRegion, vectorsSampling, vectorsSpacing, vectorsScale, vectorsScaleValue, vectorsLength, vectorsColor,
+/// vectorsColorMap, vectorsRange, vectorsRangeValue, vectorsHead, vectorsWhole and vectorsSeams.
+class VectorControls : public QWidget {
+  Q_OBJECT
+ public:
+  /// @param view  whose direction can be taken over
+  /// @param origin  where the vectors start, takes its place among the rest
+  VectorControls(RenderView* view, QWidget* origin, QWidget* parent = nullptr);
+
+  /// Without region, size and theme.
+  MotionVectorOptions options() const;
+
+  std::string region() const;  ///< as VectorRegion reads it; empty: the whole face
+  QString viewName() const;    ///< in words
+  bool headMotionRemoved() const;
+  bool followsView() const;    ///< whether the direction is that of the other view
+
+  /// A rectangle in the picture, mm to the right and up; it joins the list of regions.
+  void setRegion(const Eigen::AlignedBox2d& rectangle);
+  void setWholeRegion();
+
+ signals:
+  void changed();
+  void scaleChanged();  ///< before changed(), when scale and range may be chosen anew
+
+ private:
+  QComboBox* list(const char* name, const QStringList& entries, const QString& tip);
+  QDoubleSpinBox* number(const char* name, double least, double most, double value, const QString& unit, const QString& tip);
+  QCheckBox* check(const char* name, const QString& text, const QString& tip);
+  void add(const QString& name, QWidget* first, QWidget* second = nullptr);
+  void buildPicture();
+  void buildArrows();
+  void connectAll();
+  void followChoices();
+  void look(PicturePlane& plane) const;
+
+  RenderView* other_;
+  QGridLayout* grid_;
+  int count_ = 0;  ///< of what add() has added
+  QComboBox *view_, *region_, *sampling_, *scale_, *length_, *color_, *map_, *range_;
+  QDoubleSpinBox *spacing_, *scaleValue_, *rangeValue_;
+  QCheckBox *head_, *whole_, *seams_;
+};
+
+}  // namespace mien

@@ -1,0 +1,193 @@
+#include "VectorPanel.h"
+
+#include "ExportButton.h"
+#include "FaceModel.h"
+#include "FaceStateText.h"
+#include "FlipBox.h"
+#include "LiveMotion.h"
+#include "LiveUpdate.h"
+#include "MotionField.h"
+#include "MotionTableText.h"
+#include "MotionVectorFigure.h"
+#include "OriginChooser.h"
+#include "RenderView.h"
+#include "ScreenFigure.h"
+#include "SurfaceParameters.h"
+#include "Theme.h"
+#include "VectorControls.h"
+#include "VectorView.h"
+
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkEventQtSlotConnect.h>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include <algorithm>
+
+namespace mien {
+
+namespace {
+
+constexpr int sideWidth = 590;     // pixels
+constexpr double shape = 0.9;      // widest figure over its height: a face is upright
+constexpr double leastWidth = 55;  // mm, of a figure with a legible key
+constexpr double paperWidth = 85;  // mm, one column of a page
+
+}  // namespace
+
+VectorPanel::VectorPanel(FaceModel* model, RenderView* view, QWidget* parent)
+    : QWidget(parent), model_(model), origin_(new OriginChooser(model, this)), controls_(new VectorControls(view, origin_, this)),
+      figure_(new VectorView("vectorFigure", this)), numbers_(new QLabel(this)), motion_(new LiveMotion(this)),
+      live_(new LiveUpdate(model, this, [this] { refresh(); })) {
+  setObjectName("vectorPanel");
+  figure_->setToolTip(tr("Drag a rectangle to look at a region; double click or Escape for the whole face"));
+  figure_->setHint(tr("Measuring motion"));
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(8, 4, 8, 6);
+  whole->addWidget(new FlipBox(side(), figure_, 0, 1, this));
+  connectAll();
+  followCamera(view);
+}
+
+VectorPanel::~VectorPanel() = default;
+
+QWidget* VectorPanel::side() {
+  numbers_->setObjectName("vectorsNumbers");
+  numbers_->setProperty("faint", true);
+  numbers_->setMinimumWidth(1);
+  numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* page = new QWidget;
+  auto* fit = new QToolButton(page);
+  fit->setObjectName("vectorsFit");
+  fit->setText(tr("Fit"));
+  fit->setProperty("framed", true);
+  fit->setToolTip(tr("Choose automatic scale and range anew, for the present motion"));
+  fit->setFocusPolicy(Qt::TabFocus);
+  connect(fit, &QToolButton::clicked, this, [this] {
+    motion_->fit();
+    live_->request();
+  });
+  auto* last = new QHBoxLayout;
+  last->addWidget(numbers_, 1);
+  last->addWidget(fit);
+  last->addWidget(new ExportButton("vectorsExport", model_, [this] { return drawing(); }, [this] { return numbers(); }, page));
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 4, 0);
+  column->setSpacing(3);
+  column->addWidget(controls_);
+  column->addLayout(last);
+  column->addStretch();
+  auto* scroll = new QScrollArea(this);  // a low dock must not make the window higher
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidgetResizable(true);
+  scroll->setMinimumWidth(sideWidth);
+  scroll->setWidget(page);
+  return scroll;
+}
+
+void VectorPanel::connectAll() {
+  connect(origin_, &OriginChooser::changed, motion_, &LiveMotion::fit);
+  connect(origin_, &OriginChooser::changed, live_, &LiveUpdate::request);
+  connect(controls_, &VectorControls::scaleChanged, motion_, &LiveMotion::fit);
+  connect(controls_, &VectorControls::changed, live_, &LiveUpdate::request);
+  connect(figure_, &VectorView::resized, live_, &LiveUpdate::request);
+  connect(figure_, &VectorView::dragged, controls_, &VectorControls::setRegion);
+  connect(figure_, &VectorView::wholeAsked, controls_, &VectorControls::setWholeRegion);
+  connect(motion_, &LiveMotion::finished, this, &VectorPanel::show);
+}
+
+void VectorPanel::followCamera(RenderView* view) {
+  cameraEvents_->Connect(view->camera(), vtkCommand::ModifiedEvent, this, SLOT(cameraMoved()));
+}
+
+void VectorPanel::cameraMoved() {
+  if (controls_->followsView()) live_->request();
+}
+
+void VectorPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) live_->request();
+  QWidget::changeEvent(event);
+}
+
+void VectorPanel::refresh() {
+  MotionRequest request;
+  request.moved = model_->state();
+  request.origin = origin_->origin();
+  request.originName = origin_->originName().toStdString();
+  request.options = controls_->options();
+  request.region = controls_->region();
+  request.headMotionRemoved = controls_->headMotionRemoved();
+  fitToScreen(request);
+  motion_->request(request);
+}
+
+void VectorPanel::fitToScreen(MotionRequest& request) const {
+  const double height = figure_->height() * millimetresPerPixel, room = figure_->width() * millimetresPerPixel;
+  request.options.height = height;
+  request.options.width = std::min(room, std::max(leastWidth, shape * height));
+  request.options.theme = screenTheme().name;
+  request.options.background = Theme::current().panel;
+}
+
+void VectorPanel::show() {
+  const MotionResult& result = motion_->result();
+  figure_->setHint(result.fault);
+  figure_->setFigure(result.figure);
+  numbers_->setText(summary());
+}
+
+QString VectorPanel::summary() const {
+  const MotionResult& result = motion_->result();
+  if (!result.field) return {};
+  double largest = 0.0, sum = 0.0;
+  int moving = 0;
+  for (int row : result.chosen) {
+    const double length = result.field->vectors.row(row).norm();
+    largest = std::max(largest, length);
+    sum += length;
+    moving += length > leastMotion;
+  }
+  const double mean = sum / std::max<size_t>(1, result.chosen.size());
+  return tr("%1 of %2 vectors move; longest %3 mm, mean %4 mm")
+      .arg(moving)
+      .arg(result.chosen.size())
+      .arg(QString::number(largest, 'f', 2), QString::number(mean, 'f', 2));
+}
+
+/// As the screen shows it, in the colours and the size of a page; scale and range chosen for that size where they are open.
+ExportDrawing VectorPanel::drawing() const {
+  const MotionResult& result = motion_->result();
+  ExportDrawing drawing;
+  if (!result.field) return drawing;
+  MotionVectorOptions options = result.request.options;
+  options.theme = "light";
+  options.background = QColor();
+  options.width = paperWidth;
+  options.height = 0.0;
+  options.title = "Motion vectors";
+  options.caption = "Motion from " + result.request.originName + (result.request.headMotionRemoved ? ", without the motion of the head" : "") +
+                    "; view " + controls_->viewName().toStdString() + ".";
+  options.note = parameterText(result.request.moved.surface) + "; " + options.picture.sampling.text();
+  if (!options.picture.region.isWhole()) options.note += "; region " + options.picture.region.name;
+  const auto figure = std::make_shared<MotionVectorFigure>(std::vector<MotionVectorPanel>{{*result.field, {}}}, options);
+  drawing.size = figure->size();
+  drawing.paint = [figure](QPainter& painter) { figure->paint(painter); };
+  drawing.title = options.title;
+  drawing.description = "\nAgainst:\n" + writeFaceState(result.request.origin);
+  return drawing;
+}
+
+std::string VectorPanel::numbers() const {
+  const MotionResult& result = motion_->result();
+  return result.field ? motionTableText(*result.field, result.chosen) : std::string();
+}
+
+}  // namespace mien

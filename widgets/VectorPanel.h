@@ -1,0 +1,60 @@
+#pragma once
+
+#include "ExportDrawing.h"
+
+#include <QWidget>
+
+#include <vtkNew.h>
+
+class QLabel;
+class vtkEventQtSlotConnect;
+
+namespace mien {
+
+class FaceModel;
+class LiveMotion;
+class LiveUpdate;
+class OriginChooser;
+class RenderView;
+class VectorControls;
+class VectorView;
+struct MotionRequest;
+
+/// How does the face move? Its motion vectors against the neutral face, the frame before or a pinned state, live.
+class VectorPanel : public QWidget {
+  Q_OBJECT
+ public:
+  /// @param view  whose direction can be taken over
+  VectorPanel(FaceModel* model, RenderView* view, QWidget* parent = nullptr);
+  ~VectorPanel() override;
+
+  const LiveMotion& motion() const { return *motion_; }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private slots:
+  void cameraMoved();
+
+ private:
+  QWidget* side();
+  void connectAll();
+  void followCamera(RenderView* view);
+  void refresh();
+  void show();
+  void fitToScreen(MotionRequest& request) const;
+  ExportDrawing drawing() const;
+  std::string numbers() const;
+  QString summary() const;
+
+  FaceModel* model_;
+  OriginChooser* origin_;
+  VectorControls* controls_;
+  VectorView* figure_;
+  QLabel* numbers_;
+  LiveMotion* motion_;
+  LiveUpdate* live_;
+  vtkNew<vtkEventQtSlotConnect> cameraEvents_;
+};
+
+}  // namespace mien

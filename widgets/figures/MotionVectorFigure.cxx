@@ -1,0 +1,213 @@
+#include "MotionVectorFigure.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "TextLines.h"
+#include "VectorScale.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double border = 1.5;          // mm
+constexpr double leastPanel = 38.0;     // mm
+constexpr double columnGap = 3.0;       // mm
+constexpr double rowGap = 3.0;          // mm
+constexpr double titleGap = 0.8;        // mm
+constexpr double wordsGap = 2.0;        // mm, above caption and note
+constexpr double referenceRoom = 0.25;  // longest reference arrow over width of the figure
+constexpr double keyGap = 2.5;          // mm, above the key
+constexpr double arrowRoom = 0.085;     // longest arrow over width of a panel: neighbours still can be told apart
+constexpr double mostShape = 1.5;       // height over width of a panel
+constexpr double leastFace = 8.0;       // mm, of a panel that the key leaves hardly any room
+constexpr double titleSize = 8.5, captionSize = 7.0, noteSize = 6.0;  // pt
+constexpr int refinements = 5;  // size of the face and overhang of arrows depend on each other, weakly
+
+double units(double millimetres) {
+  return millimetres * figureUnitsPerMillimetre;
+}
+
+QString label(size_t index, size_t count, const std::string& heading) {
+  const QString text = QString::fromStdString(heading);
+  if (count < 2) return text;
+  const QString letter =
+      '(' + QString(QChar('a' + static_cast<char>(index % 26))) + (index < 26 ? "" : QString::number(index / 26)) + ')';
+  return text.isEmpty() ? letter : letter + ' ' + text;
+}
+
+/// A frame is never empty, so that a figure without a surface still can be drawn.
+Eigen::AlignedBox2d usable(const Eigen::AlignedBox2d& frame) {
+  if (frame.isEmpty()) return {Eigen::Vector2d(-1.0, -1.0), Eigen::Vector2d(1.0, 1.0)};
+  const Eigen::Vector2d lack = (1e-6 - frame.sizes().array()).max(0.0).matrix();
+  return {frame.min() - lack, frame.max() + lack};
+}
+
+}  // namespace
+
+MotionVectorFigure::MotionVectorFigure(const std::vector<MotionVectorPanel>& panels, const MotionVectorOptions& options)
+    : options_(options), style_(options), inner_(units(options.width - 2.0 * border)) {
+  prepare(panels);
+  for (size_t i = 0; i < all_.size(); ++i) panels_.emplace_back(all_[i], label(i, all_.size(), panels[i].heading));
+  layOut();
+}
+
+MotionVectorFigure::MotionVectorFigure(const std::vector<MotionVectorPanel>& panels, size_t only,
+                                       const MotionVectorOptions& options)
+    : options_(options), style_(options), inner_(units(options.width - 2.0 * border)) {
+  prepare(panels);
+  panels_.emplace_back(all_.at(only), label(0, 1, panels.at(only).heading));
+  layOut();
+}
+
+void MotionVectorFigure::prepare(const std::vector<MotionVectorPanel>& panels) {
+  title_ = textLines(style_.font(titleSize, true), QString::fromStdString(options_.title), inner_);
+  caption_ = textLines(style_.font(captionSize), QString::fromStdString(options_.caption), inner_);
+  note_ = textLines(style_.font(noteSize), QString::fromStdString(options_.note), inner_);
+  size_.setWidth(units(options_.width));
+  for (const MotionVectorPanel& panel : panels) addPicture(panel.field);
+  frame_ = usable(frame_);
+  chooseRange();
+}
+
+void MotionVectorFigure::addPicture(const MotionField& field) {
+  VectorPicture picture = drawnVectors(field, options_.picture);
+  if (!options_.seams) picture.seams.clear();
+  frame_.extend(picture.frame);
+  const bool inSpace = options_.length == MotionVectorOptions::Length::InSpace;
+  longest_ = std::max(longest_, inSpace ? picture.largest() : picture.longest());
+  all_.push_back(std::move(picture));
+}
+
+/// Motion in space starts at 0; motion towards the viewer reaches as far to either side.
+void MotionVectorFigure::chooseRange() {
+  double least = 0.0, most = 0.0;
+  for (const VectorPicture& picture : all_)
+    for (const PictureArrow& arrow : picture.arrows) {
+      least = std::min(least, style_.coloredValue(arrow));
+      most = std::max(most, style_.coloredValue(arrow));
+    }
+  const double end = automaticRangeEnd(std::max(most, -least));
+  const std::array<double, 2> automatic = {least < 0.0 ? -end : 0.0, end};
+  std::tie(style_.rangeBegin, style_.rangeEnd) = std::tuple_cat(options_.range.value_or(automatic));
+  const double rounding = 1e-9 * (style_.rangeEnd - style_.rangeBegin);
+  const bool moves = longest_ > 0.0 || most > 0.0;
+  beyond_ = {moves && least < style_.rangeBegin - rounding, moves && most > style_.rangeEnd + rounding};
+}
+
+void MotionVectorFigure::chooseScale(double room) {
+  style_.scale = options_.scale.value_or(automaticScale(longest_, room / figureUnitsPerMillimetre));
+}
+
+int MotionVectorFigure::columnCount() const {
+  const int count = std::max<int>(1, panels_.size());
+  const int fitting = std::max(1, static_cast<int>((inner_ + units(columnGap)) / units(leastPanel + columnGap)));
+  const int columns = std::min({options_.columns > 0 ? options_.columns : fitting, fitting, count});
+  const int rows = (count + columns - 1) / columns;
+  return options_.columns > 0 ? columns : (count + rows - 1) / rows;  // no row with a single panel beside full ones
+}
+
+double MotionVectorFigure::headingHeight() const {
+  double height = 0.0;
+  for (const VectorPanelPainter& panel : panels_) height = std::max(height, panel.headingHeight(style_));
+  return height;
+}
+
+double MotionVectorFigure::titleHeight() const {
+  return title_.size() * lineHeight(style_.font(titleSize)) + (title_.isEmpty() ? 0.0 : units(titleGap));
+}
+
+double MotionVectorFigure::wordsHeight() const {
+  return caption_.size() * lineHeight(style_.font(captionSize)) + note_.size() * lineHeight(style_.font(noteSize));
+}
+
+VectorPanelPainter::Margins MotionVectorFigure::overhang(double faceScale) const {
+  VectorPanelPainter::Margins all;
+  for (const VectorPicture& picture : all_) {
+    const VectorPanelPainter::Margins margins = VectorPanelPainter(picture, {}).overhang(style_, frame_, faceScale);
+    all = {std::max(all.left, margins.left), std::max(all.top, margins.top), std::max(all.right, margins.right),
+           std::max(all.bottom, margins.bottom)};
+  }
+  return all;
+}
+
+/// How large the face is drawn (figure units per mm) so that it and all arrows fit the cell.
+double MotionVectorFigure::faceScaleWithin(const QSizeF& cell) {
+  const Eigen::Vector2d size = frame_.sizes();
+  double scale = std::min(cell.width() / size.x(), cell.height() / size.y());
+  for (int i = 0; i < refinements; ++i) {
+    if (options_.trueToFace) style_.scale = figureUnitsPerMillimetre / scale;
+    const VectorPanelPainter::Margins margins = overhang(scale);
+    const double width = std::max(cell.width() - margins.left - margins.right, 0.2 * cell.width());
+    const double height = std::max(cell.height() - margins.top - margins.bottom, 0.2 * cell.height());
+    scale = std::min(width / size.x(), height / size.y());
+  }
+  return scale;
+}
+
+void MotionVectorFigure::chooseReference() {
+  if (style_.length == MotionVectorOptions::Length::Equal || !(longest_ > 0.0)) return;
+  reference_ = roundBelow(std::min(longest_, style_.scale * referenceRoom * inner_ / figureUnitsPerMillimetre));
+}
+
+void MotionVectorFigure::layOut() {
+  const int columns = columnCount(), rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
+  const double cellWidth = (inner_ - (columns - 1) * units(columnGap)) / columns;
+  chooseScale(arrowRoom * cellWidth);
+  chooseReference();
+  const bool moves = std::any_of(all_.begin(), all_.end(), [](const VectorPicture& p) { return !p.arrows.empty(); });
+  if (moves) key_.emplace(style_, reference_, inner_, beyond_);
+  const double keyHeight = key_ ? key_->height() : 0.0;
+  const double words = wordsHeight() + (wordsHeight() > 0.0 ? units(wordsGap) : 0.0);
+  const double below = units(keyGap) + keyHeight + words + units(border);
+  const double top = units(border) + titleHeight();
+  const double between = std::max(0, rows - 1) * units(rowGap) + rows * headingHeight();
+  const double given = (units(options_.height) - top - below - between) / std::max(1, rows);
+  const double free = options_.height > 0.0 ? std::max(given, units(leastFace)) : mostShape * cellWidth;
+  const double panelHeight = placePanels(top, {cellWidth, free}, columns);
+  keyTop_ = top + rows * panelHeight + between + units(keyGap);
+  size_.setHeight(std::ceil(std::max(keyTop_ - units(keyGap) + below, units(options_.height))));
+  wordsTop_ = size_.height() - units(border) - wordsHeight();
+  if (key_) key_.emplace(style_, reference_, inner_, beyond_);  // the scale may follow the size of the face
+}
+
+/// @return what a panel needs below its heading
+double MotionVectorFigure::placePanels(double top, const QSizeF& free, int columns) {
+  const double scale = faceScaleWithin(free);
+  if (options_.trueToFace) chooseReference();
+  const VectorPanelPainter::Margins margins = overhang(scale);
+  const QSizeF plot = scale * QSizeF(frame_.sizes().x(), frame_.sizes().y());
+  const double height = plot.height() + margins.top + margins.bottom;
+  const double aside = 0.5 * (free.width() - plot.width() - margins.left - margins.right);
+  for (size_t i = 0; i < panels_.size(); ++i) {
+    const double x = units(border) + (i % columns) * (free.width() + units(columnGap));
+    const double y = top + (i / columns) * (headingHeight() + height + units(rowGap));
+    headingPlaces_.emplace_back(x, y);
+    panels_[i].place(QPointF(x + aside + margins.left, y + headingHeight() + margins.top), frame_, scale);
+  }
+  return height;
+}
+
+double MotionVectorFigure::paintLines(QPainter& painter, const QFont& font, const QStringList& lines, double y) const {
+  painter.setFont(font);
+  painter.setPen(style_.theme.text);
+  for (const QString& line : lines) {
+    painter.drawText(QPointF(units(border), y + 0.95 * font.pixelSize()), line);
+    y += lineHeight(font);
+  }
+  return y;
+}
+
+void MotionVectorFigure::paint(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (style_.theme.background.isValid()) painter.fillRect(QRectF(QPointF(), size_), style_.theme.background);
+  paintLines(painter, style_.font(titleSize, true), title_, units(border));
+  for (size_t i = 0; i < panels_.size(); ++i) panels_[i].paint(painter, style_, headingPlaces_[i]);
+  if (key_) key_->paint(painter, QPointF(units(border), keyTop_));
+  const double y = paintLines(painter, style_.font(captionSize), caption_, wordsTop_);
+  paintLines(painter, style_.font(noteSize), note_, y);
+}
+
+}  // namespace mien

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <QSizeF>
+#include <QStringList>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "MotionField.h"
+#include "MotionVectorOptions.h"
+#include "VectorKeyPainter.h"
+#include "VectorPanelPainter.h"
+#include "VectorStyle.h"
+
+class QPainter;
+
+namespace mien {
+
+/// One field of a figure.
+struct MotionVectorPanel {
+  MotionField field;
+  std::string heading;  ///< above it, such as "frame 100"; may be empty
+};
+
+/// Motion vector fields side by side with one scale of arrows and one range of colours for all: the face's outline and
+/// its seams, arrows, a reference arrow, a colour bar.
+///
+/// Everything is in hundredths of a millimetre, to be painted on paper or on a widget; type keeps its size. Needs a
+/// FigureApplication, for its fonts. A panel in which nothing moves has no arrows and says so.
+class MotionVectorFigure {
+ public:
+  MotionVectorFigure(const std::vector<MotionVectorPanel>& panels, const MotionVectorOptions& options);
+
+  /// One of several panels alone, with scale, range and size of the face as if all were shown: one file of a series.
+  MotionVectorFigure(const std::vector<MotionVectorPanel>& panels, size_t only, const MotionVectorOptions& options);
+
+  /// Width and height in figure units.
+  const QSizeF& size() const { return size_; }
+
+  void paint(QPainter& painter) const;
+
+  double scale() const { return style_.scale; }  ///< mm of motion per mm of arrow
+  double rangeBegin() const { return style_.rangeBegin; }
+  double rangeEnd() const { return style_.rangeEnd; }
+  double reference() const { return reference_; }  ///< motion of the reference arrow, mm; 0: there is none
+
+  /// The panels in their places: what each shows, and the face under a pointer.
+  const std::vector<VectorPanelPainter>& panels() const { return panels_; }
+
+ private:
+  void prepare(const std::vector<MotionVectorPanel>& panels);
+  void addPicture(const MotionField& field);
+  void chooseRange();
+  void chooseScale(double room);
+  void chooseReference();
+  void layOut();
+  double placePanels(double top, const QSizeF& free, int columns);
+  double faceScaleWithin(const QSizeF& cell);
+  VectorPanelPainter::Margins overhang(double faceScale) const;
+  int columnCount() const;
+  double headingHeight() const;
+  double titleHeight() const;
+  double wordsHeight() const;
+  double paintLines(QPainter& painter, const QFont& font, const QStringList& lines, double y) const;
+
+  MotionVectorOptions options_;
+  VectorStyle style_;
+  std::vector<VectorPicture> all_;  ///< of the series, whether shown or not
+  std::vector<VectorPanelPainter> panels_;
+  std::vector<QPointF> headingPlaces_;
+  std::optional<VectorKeyPainter> key_;
+  QStringList title_, caption_, note_;
+  Eigen::AlignedBox2d frame_;
+  QSizeF size_;
+  double inner_;          ///< width without the border
+  double longest_ = 0.0;  ///< of all arrows, as their length is measured, mm
+  double reference_ = 0.0;
+  std::pair<bool, bool> beyond_ = {false, false};
+  double keyTop_ = 0.0, wordsTop_ = 0.0;
+};
+
+}  // namespace mien

@@ -1,0 +1,50 @@
+#include "VectorColors.h"
+
+#include <algorithm>
+
+namespace mien {
+
+namespace {
+
+constexpr double mostLight = 0.72;   // luminance on light paper: viridis ends at a green, not at a yellow nobody sees
+constexpr double leastLight = 0.20;  // on dark backgrounds
+constexpr int steps = 255;
+
+double luminance(const ColorTable::Rgb& color) {
+  return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+}
+
+std::string withoutTurn(const std::string& map, bool& turned) {
+  turned = map.size() > 2 && map.substr(map.size() - 2) == "_r";
+  return turned ? map.substr(0, map.size() - 2) : map;
+}
+
+}  // namespace
+
+bool VectorColors::isKnown(const std::string& map) {
+  bool turned = false;
+  return ColorTable::find(withoutTurn(map, turned)) != nullptr;
+}
+
+VectorColors::VectorColors(const std::string& map, const FigureTheme& theme, double begin, double end)
+    : begin_(begin), end_(end) {
+  bool turned = false;
+  table_ = ColorTable::find(withoutTurn(map, turned));
+  if (!table_) table_ = &ColorTable::all().front();
+  const bool dark = theme.background.lightnessF() < 0.5;
+  const auto standsOut = [&](double t) {
+    const double light = luminance(table_->at(t));
+    return dark ? light >= leastLight : light <= mostLight;
+  };
+  while (first_ < 0.5 && !standsOut(first_)) first_ += 1.0 / steps;
+  while (last_ > 0.5 && !standsOut(last_)) last_ -= 1.0 / steps;
+  if (turned) std::swap(first_, last_);
+}
+
+QColor VectorColors::at(double value) const {
+  const double share = end_ > begin_ ? std::clamp((value - begin_) / (end_ - begin_), 0.0, 1.0) : 0.0;
+  const ColorTable::Rgb color = table_->at(first_ + share * (last_ - first_));
+  return QColor::fromRgbF(color[0], color[1], color[2]);
+}
+
+}  // namespace mien

@@ -1,0 +1,154 @@
+#include "VectorKeyPainter.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "ArrowShape.h"
+#include "AxisScale.h"
+#include "TextLines.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double textSize = 7.0, numberSize = 6.5;   // pt
+constexpr double barHeight = 2.6, tickLength = 0.7;  // mm
+constexpr double mostWidth = 90.0;                   // mm, of a key in a wide figure
+constexpr double endRoom = 2.2;                      // mm, for the last number or the point of the bar
+constexpr double gap = 4.0;                          // mm, between arrow and bar
+constexpr int barSteps = 64;                         // no step of a colour can be seen
+
+double units(double millimetres) {
+  return millimetres * figureUnitsPerMillimetre;
+}
+
+QString number(double value) {
+  return QString::number(value, 'g', 4);
+}
+
+}  // namespace
+
+VectorKeyPainter::VectorKeyPainter(const VectorStyle& style, double reference, double width,
+                                   std::pair<bool, bool> beyond)
+    : style_(style), reference_(reference), width_(std::min(width, units(mostWidth))), beyond_(beyond) {
+  using Length = MotionVectorOptions::Length;
+  const QString seen =
+      style.length == Length::InSpace ? QStringLiteral(" of motion in space") : QStringLiteral(" of motion");
+  const QString scale = style.length == Length::Equal
+                            ? QStringLiteral("All arrows are equally long: they show directions")
+                            : QStringLiteral("1 mm of arrow = %1 mm").arg(number(style.scale)) + seen;
+  scaleLines_ = textLines(style.font(textSize), scale, hasBar() ? barLeft() - units(gap) : width_);
+  titleLines_ = textLines(style.font(textSize), title(), width_ - barLeft());
+}
+
+bool VectorKeyPainter::hasBar() const {
+  return style_.color != MotionVectorOptions::Color::None;
+}
+
+double VectorKeyPainter::barLeft() const {
+  return hasBar() ? 0.44 * width_ : width_;
+}
+
+QString VectorKeyPainter::title() const {
+  return style_.color == MotionVectorOptions::Color::Towards ? QStringLiteral("Motion towards the viewer (mm)")
+                                                             : QStringLiteral("Motion in space (mm)");
+}
+
+double VectorKeyPainter::height() const {
+  const double line = lineHeight(style_.font(textSize));
+  const double bar =
+      hasBar() ? titleLines_.size() * line + units(barHeight + tickLength + 0.4) + lineHeight(style_.font(numberSize))
+               : 0.0;
+  return std::max(bar, (reference_ > 0.0 ? line : 0.0) + scaleLines_.size() * line);
+}
+
+void VectorKeyPainter::paint(QPainter& painter, const QPointF& topLeft) const {
+  paintReference(painter, topLeft);
+  if (!hasBar()) return;
+  const QFont font = style_.font(textSize);
+  painter.setFont(font);
+  painter.setPen(style_.theme.text);
+  double y = topLeft.y();
+  for (const QString& line : titleLines_) {
+    painter.drawText(QPointF(topLeft.x() + barLeft(), y + 0.95 * font.pixelSize()), line);
+    y += lineHeight(font);
+  }
+  const QRectF bar(topLeft.x() + barLeft(), y + units(0.4), width_ - barLeft() - units(endRoom), units(barHeight));
+  paintBar(painter, bar);
+  paintTicks(painter, bar);
+}
+
+void VectorKeyPainter::paintReference(QPainter& painter, const QPointF& topLeft) const {
+  const QFont font = style_.font(textSize);
+  double y = topLeft.y();
+  if (reference_ > 0.0) {
+    const double length = units(reference_ / style_.scale);
+    const QPointF tail(topLeft.x(), y + 0.6 * font.pixelSize());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(style_.theme.text);
+    painter.drawPolygon(arrowShape(tail, tail + QPointF(length, 0.0)));
+    painter.setFont(font);
+    painter.setPen(style_.theme.text);
+    painter.drawText(QPointF(topLeft.x() + length + units(1.5), y + 0.95 * font.pixelSize()),
+                     number(reference_) + " mm");
+    y += lineHeight(font);
+  }
+  painter.setFont(font);
+  painter.setPen(style_.theme.text);
+  for (const QString& line : scaleLines_) {
+    painter.drawText(QPointF(topLeft.x(), y + 0.95 * font.pixelSize()), line);
+    y += lineHeight(font);
+  }
+}
+
+/// Pointed where values lie beyond the end.
+QPolygonF VectorKeyPainter::barShape(const QRectF& bar) const {
+  const double point = 0.8 * bar.height(), middle = bar.center().y();
+  QPolygonF shape;
+  shape << bar.topLeft() << bar.topRight();
+  if (beyond_.second) shape << QPointF(bar.right() + point, middle);
+  shape << bar.bottomRight() << bar.bottomLeft();
+  if (beyond_.first) shape << QPointF(bar.left() - point, middle);
+  return shape << bar.topLeft();
+}
+
+void VectorKeyPainter::paintBar(QPainter& painter, const QRectF& bar) const {
+  const VectorColors colors(style_.colorMap, style_.theme, 0.0, 1.0);
+  const double point = 0.8 * bar.height(), middle = bar.center().y();
+  painter.setPen(Qt::NoPen);
+  if (beyond_.first) {
+    painter.setBrush(colors.at(0.0));
+    painter.drawPolygon(QPolygonF() << bar.topLeft() << bar.bottomLeft() << QPointF(bar.left() - point, middle));
+  }
+  if (beyond_.second) {
+    painter.setBrush(colors.at(1.0));
+    painter.drawPolygon(QPolygonF() << bar.topRight() << bar.bottomRight() << QPointF(bar.right() + point, middle));
+  }
+  // Each step reaches to the end of the bar: no gaps between neighbours, whatever draws them.
+  for (int i = 0; i < barSteps; ++i) {
+    const double share = static_cast<double>(i) / barSteps;
+    painter.setBrush(colors.at((i + 0.5) / barSteps));
+    painter.drawRect(QRectF(bar.left() + share * bar.width(), bar.top(), (1.0 - share) * bar.width(), bar.height()));
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(style_.theme.axis, figureUnitsFromPoints(style_.theme.axisWidth)));
+  painter.drawPolyline(barShape(bar));
+}
+
+void VectorKeyPainter::paintTicks(QPainter& painter, const QRectF& bar) const {
+  const QFont font = style_.font(numberSize);
+  const AxisScale scale(style_.rangeBegin, style_.rangeEnd, false);
+  painter.setFont(font);
+  for (const AxisTick& tick : scale.ticks(ChartAxis(), std::max(2, static_cast<int>(bar.width() / units(8.0))))) {
+    const double x = bar.left() + scale.fraction(tick.value) * bar.width();
+    painter.setPen(QPen(style_.theme.axis, figureUnitsFromPoints(style_.theme.axisWidth)));
+    painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + units(tickLength)));
+    const QString text = QString::fromStdString(tick.text);
+    painter.setPen(style_.theme.text);
+    painter.drawText(
+        QPointF(x - 0.5 * textWidth(font, text), bar.bottom() + units(tickLength + 0.2) + 0.95 * font.pixelSize()),
+        text);
+  }
+}
+
+}  // namespace mien
