@@ -27,5 +27,6 @@ void addVectorsCommand(CLI::App& program);
 void addTextureCommand(CLI::App& program);
 void addLodCommand(CLI::App& program);
 void addFatCommand(CLI::App& program);
+void addFdtCommand(CLI::App& program);
 
 }  // namespace mien

@@ -9,6 +9,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <tuple>
+
 namespace mien {
 
 namespace {
@@ -163,10 +165,8 @@ void FaceOptions::fillTexture(FaceState& state) const {
 }
 
 void FaceOptions::fillDeformation(FaceState& state) const {
-  const size_t colon = deformation_.rfind(':'), slash = deformation_.find_last_of("/\\");
-  const bool withStrength = colon != std::string::npos && (slash == std::string::npos || colon > slash);
-  state.deformation.table = deformation_.substr(0, withStrength ? colon : std::string::npos);
-  if (withStrength) state.deformation.strength = parseNumber("--fdt", deformation_.substr(colon + 1));
+  if (!deformation_.empty())
+    std::tie(state.deformation.table, state.deformation.strength) = parseWeighted("--fdt", deformation_);
   state.deformation.smooth = !hardRegions_;
 }
 

@@ -29,6 +29,9 @@ class FaceOptions {
   /// An animation file in place of --fap.
   void setAnimation(const std::string& file) { fap_ = file; }
 
+  /// Expressions in place of --expression, in its form.
+  void setExpressions(const std::string& expressions) { expression_ = expressions; }
+
   /// The resolution when none is given. Default: that of FaceState.
   void setDefaultResolution(int rows, int columns);
 

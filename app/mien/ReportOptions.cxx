@@ -8,6 +8,7 @@
 #include "FigureFile.h"
 #include "FigurePainter.h"
 #include "OutputFile.h"
+#include "PlatePainter.h"
 #include "TableRows.h"
 
 namespace mien {
@@ -47,9 +48,18 @@ std::vector<std::string> ReportOptions::outputs(const std::string& ending) const
   return names;
 }
 
-void ReportOptions::writeFigure(const Figure& figure, const std::string& name, const std::string& command) const {
+void ReportOptions::writeFigure(const Report& report, const std::string& name, const std::string& command) const {
   const FigureApplication application;
-  const FigurePainter painter(figure, *FigureTheme::find(drawing_.theme()), drawing_.width());
+  const FigureTheme& theme = *FigureTheme::find(drawing_.theme());
+  if (report.plate) {
+    const Plate plate = report.plate(drawing_.width());
+    const PlatePainter painter(plate, theme, drawing_.width());
+    drawing_.write(name, painter.size(), [&](QPainter& p) { painter.paint(p); }, plate.title,
+                   command + "\n" + plate.note);
+    return;
+  }
+  const Figure figure = report.figure();
+  const FigurePainter painter(figure, theme, drawing_.width());
   drawing_.write(name, painter.size(), [&](QPainter& p) { painter.paint(p); }, figure.title,
                  command + "\n" + figure.note);
 }
@@ -57,7 +67,7 @@ void ReportOptions::writeFigure(const Figure& figure, const std::string& name, c
 void ReportOptions::deliver(const Report& report, const std::string& command) const {
   for (const std::string& name : outputs_) {
     if (fileEnding(name) == "csv") OutputFile::write(name, csvText(report.rows));
-    if (FigureOptions::isFigure(name)) writeFigure(report.figure(), name, command);
+    if (FigureOptions::isFigure(name)) writeFigure(report, name, command);
   }
   if (json_) {
     std::cout << report.json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";

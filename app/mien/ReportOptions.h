@@ -7,6 +7,7 @@
 
 #include "Figure.h"
 #include "FigureOptions.h"
+#include "Plate.h"
 
 namespace CLI {
 class App;
@@ -21,6 +22,7 @@ struct Report {
   nlohmann::ordered_json readable;   ///< the table for reading where it differs from `rows`
   std::vector<std::string> remarks;  ///< sentences below the table
   std::function<Figure()> figure;    ///< drawn only when it is asked for
+  std::function<Plate(double width)> plate;  ///< in its place, for a width in mm
 };
 
 /// The options of commands that measure: where the table and the chart go, and how the chart looks.
@@ -41,7 +43,7 @@ class ReportOptions {
   void deliver(const Report& report, const std::string& command) const;
 
  private:
-  void writeFigure(const Figure& figure, const std::string& name, const std::string& command) const;
+  void writeFigure(const Report& report, const std::string& name, const std::string& command) const;
 
   std::vector<std::string> otherEndings_, outputs_;
   FigureOptions drawing_{"170"};

@@ -53,21 +53,35 @@ void writeXML(vtkDataObject* data, const std::string& name) {
   write(writer.Get(), data, name);
 }
 
-void writePLY(vtkStructuredGrid* grid, const std::string& name) {
+void writePLY(vtkPolyData* polygons, const std::string& name) {
   vtkNew<vtkPLYWriter> writer;
   writer->SetFileTypeToBinary();
-  write(writer.Get(), outwardPolygons(grid, false), name);
+  write(writer.Get(), polygons, name);
 }
 
-void writeOBJ(vtkStructuredGrid* grid, const std::string& name) {
+void writeOBJ(vtkPolyData* polygons, const std::string& name) {
   vtkNew<vtkOBJWriter> writer;
-  write(writer.Get(), outwardPolygons(grid, false), name);
+  write(writer.Get(), polygons, name);
 }
 
-void writeSTL(vtkStructuredGrid* grid, const std::string& name) {
+void writeSTL(vtkPolyData* triangles, const std::string& name) {
   vtkNew<vtkSTLWriter> writer;
   writer->SetFileTypeToBinary();
-  write(writer.Get(), outwardPolygons(grid, true), name);
+  write(writer.Get(), triangles, name);
+}
+
+vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* polygons) {
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(polygons);
+  triangles->Update();
+  return triangles->GetOutput();
+}
+
+void writePolygons(vtkPolyData* polygons, const std::string& ending, const std::string& name) {
+  if (ending == "vtp") writeXML<vtkXMLPolyDataWriter>(polygons, name);
+  if (ending == "ply") writePLY(polygons, name);
+  if (ending == "obj") writeOBJ(polygons, name);
+  if (ending == "stl") writeSTL(trianglesOf(polygons), name);
 }
 
 }  // namespace
@@ -80,11 +94,16 @@ const std::vector<std::string>& surfaceEndings() {
 void writeSurface(vtkStructuredGrid* grid, const std::string& name) {
   requireEnding(name, surfaceEndings());
   const std::string ending = fileEnding(name);
-  if (ending == "vts") writeXML<vtkXMLStructuredGridWriter>(grid, name);
-  if (ending == "vtp") writeXML<vtkXMLPolyDataWriter>(outwardPolygons(grid, false), name);
-  if (ending == "ply") writePLY(grid, name);
-  if (ending == "obj") writeOBJ(grid, name);
-  if (ending == "stl") writeSTL(grid, name);
+  if (ending == "vts")
+    writeXML<vtkXMLStructuredGridWriter>(grid, name);
+  else
+    writePolygons(outwardPolygons(grid, ending == "stl"), ending, name);
+}
+
+void writeMesh(vtkPointSet* mesh, const std::string& name) {
+  if (auto* grid = vtkStructuredGrid::SafeDownCast(mesh)) return writeSurface(grid, name);
+  requireEnding(name, {"vtp", "ply", "obj", "stl"});
+  writePolygons(vtkPolyData::SafeDownCast(mesh), fileEnding(name), name);
 }
 
 }  // namespace mien

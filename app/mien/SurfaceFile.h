@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+class vtkPointSet;
 class vtkPolyData;
 class vtkStructuredGrid;
 
@@ -19,5 +20,8 @@ vtkSmartPointer<vtkPolyData> outwardPolygons(vtkStructuredGrid* grid, bool trian
 /// Writes a surface in the format of the file's ending. .vts keeps the grid with its hidden cells; the polygon formats
 /// leave the hidden cells out and are wound outwards.
 void writeSurface(vtkStructuredGrid* grid, const std::string& name);
+
+/// The same for a grid or for polygons; polygons go into every format but .vts, a ValueFailure.
+void writeMesh(vtkPointSet* mesh, const std::string& name);
 
 }  // namespace mien

@@ -38,6 +38,7 @@ void addCommands(CLI::App& program) {
   mien::addTextureCommand(program);
   mien::addLodCommand(program);
   mien::addFatCommand(program);
+  mien::addFdtCommand(program);
 }
 
 /// A first argument that is neither an option nor a command, which CLI11 would only call missing.
@@ -53,8 +54,13 @@ std::string unknownCommand(const CLI::App& program, int argc, char** argv) {
 
 /// The command that the arguments name, for a hint on where its options are explained.
 std::string usedCommand(const CLI::App& program) {
-  for (const CLI::App* command : program.get_subcommands()) return "mien " + command->get_name();
-  return "mien";
+  std::string name = "mien";
+  const CLI::App* last = &program;
+  while (!last->get_subcommands().empty()) {
+    last = last->get_subcommands().front();
+    name += " " + last->get_name();
+  }
+  return name;
 }
 
 int run(CLI::App& program, int argc, char** argv) {

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace mien {
 
@@ -19,6 +21,10 @@ struct DeformationTable {
 
   /// Between this table (0) and another (1), coefficient by coefficient; beyond 0 .. 1 it extrapolates. No deviations.
   DeformationTable blended(const DeformationTable& other, double fraction) const;
+
+  /// The sum of displacements of several tables, each times its weight: identity + sum w (table - identity). One table of
+  /// weight 1 stays what it is, with its deviations; else there are none.
+  static DeformationTable weighted(const std::vector<std::pair<DeformationTable, double>>& tables);
 };
 
 }  // namespace mien

@@ -3,7 +3,9 @@
 #include "CommaText.h"
 #include "NumberText.h"
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -50,27 +52,16 @@ std::string parseRow(const Cells& cells, const Columns& columns, const MarkerOpt
     if (!value && !cell.empty())
       return marker.name + ": " + inQuotes(cell) + " in column " + positionNames[i] + " is no finite number";
     seen = seen && value;
-    const double sign = (i % 3 == 0 && options.mirrored) || (i % 3 == 1 && options.yDown) ? -1.0 : 1.0;
-    (i < 3 ? marker.neutral : marker.expression)[i % 3] = sign * value.value_or(0.0);
+    (i < 3 ? marker.neutral : marker.expression)[i % 3] = value.value_or(0.0);
   }
+  marker.neutral = options.upright(marker.neutral);
+  marker.expression = options.upright(marker.expression);
   const std::string region = columns.region < 0 ? "" : cells[columns.region];
-  if (region.empty()) return {};
-  const std::optional<std::int64_t> number = parseWholeNumber(region);
-  if (!number || *number < 1 || *number > 16)
+  const std::optional<int> number = parseRegion(region);
+  if (!number)
     return marker.name + ": " + inQuotes(region) + " is no region; regions run from 1 to 16, blank for by place";
-  marker.region = static_cast<int>(*number);
+  marker.region = *number;
   return {};
-}
-
-/// Mean height of the markers, which on any face lies below the pupils unless there are brows alone.
-bool standsOnItsHead(const MarkerTable& table) {
-  double sum = 0.0;
-  for (const Marker& marker : table.markers) {
-    const double height = table.neutral.apply(marker.neutral).y();
-    if (marker.name == "landmark08" || marker.name == "chin") return height > 0.0;
-    sum += height;
-  }
-  return sum > 0.0 && table.markers.size() >= 16;
 }
 
 /// The rows of a file before the pupils are taken out.
@@ -87,11 +78,15 @@ struct Rows {
     const std::string fault = parseRow(cells, columns, options, marker, seen);
     if (!fault.empty()) return fault;
     if (!names.insert(marker.name).second) return marker.name + " is given twice; remove one of them";
+    keep(marker, seen, options);
+    return {};
+  }
+
+  void keep(const Marker& marker, bool seen, const MarkerOptions& options) {
     if (!seen) table.missing.push_back(marker.name);
     else if (marker.name == options.leftPupil) left = marker;
     else if (marker.name == options.rightPupil) right = marker;
     else table.markers.push_back(marker);
-    return {};
   }
 
  private:
@@ -100,20 +95,35 @@ struct Rows {
 
 std::string at(int line, const std::string& fault) { return std::to_string(line) + ": " + fault; }
 
-std::string normalise(Rows& rows, const MarkerOptions& options) {
+/// The pupils of one state: by place where the options say so, else those of the rows.
+EyePupils pupilsOf(const std::optional<EyePupils>& places, const EyePupils& rows, const MarkerOptions& options) {
+  return places ? EyePupils{options.upright(places->left), options.upright(places->right)} : rows;
+}
+
+std::string describeMissingPupil(const Rows& rows, const MarkerOptions& options) {
+  if (options.neutralPupils && options.expressionPupils) return {};
   for (const auto& [pupil, name] : {std::pair(&rows.left, &options.leftPupil), {&rows.right, &options.rightPupil}})
-    if (!pupil->line) return at(rows.last, "the pupil " + *name + " is missing; every recording needs both pupils");
-  MarkerTable& table = rows.table;
-  const std::string neutral = table.neutral.set(rows.left.neutral, rows.right.neutral);
-  if (!neutral.empty()) return at(rows.left.line, "neutral: " + neutral);
-  const std::string expression = table.expression.set(rows.left.expression, rows.right.expression);
-  if (!expression.empty()) return at(rows.left.line, "expression: " + expression);
-  if (table.markers.empty()) return at(rows.last, "there is no marker besides the pupils");
-  if (standsOnItsHead(table))
-    return at(rows.left.line,
-              "the chin lies above the eyes; say that y runs downwards (--y-down), that the pictures are mirrored "
-              "(--mirrored), or exchange the pupils");
+    if (!pupil->line) return "the pupil " + *name + " is missing; every recording needs both pupils";
   return {};
+}
+
+std::string normalise(Rows& rows, const MarkerOptions& options) {
+  const std::string missing = describeMissingPupil(rows, options);
+  if (!missing.empty()) return at(rows.last, missing);
+  MarkerTable& table = rows.table;
+  const int line = std::max(rows.left.line, 1);
+  const EyePupils before = pupilsOf(options.neutralPupils, {rows.left.neutral, rows.right.neutral}, options);
+  const EyePupils after = pupilsOf(options.expressionPupils, {rows.left.expression, rows.right.expression}, options);
+  const std::string neutral = table.neutral.set(before.left, before.right);
+  if (!neutral.empty()) return at(line, "neutral: " + neutral);
+  const std::string expression = table.expression.set(after.left, after.right);
+  if (!expression.empty()) return at(line, "expression: " + expression);
+  if (table.markers.empty()) return at(rows.last, "there is no marker besides the pupils");
+  std::vector<std::pair<std::string, double>> heights;
+  for (const Marker& marker : table.markers)
+    heights.emplace_back(marker.name, table.neutral.apply(marker.neutral).y());
+  const std::string posture = describePosture(heights);
+  return posture.empty() ? "" : at(line, posture);
 }
 
 }  // namespace
@@ -134,6 +144,27 @@ std::string MarkerTable::parse(const std::string& text, const MarkerOptions& opt
   }
   rows.table.hasDepth = rows.columns.hasDepth();
   fault = normalise(rows, options);
+  if (fault.empty()) *this = rows.table;
+  return fault;
+}
+
+std::string MarkerTable::join(const PointTable& before, const PointTable& after, const MarkerOptions& options) {
+  if (before.hasDepth != after.hasDepth) return "one file has a column z and the other none; give z in both or in neither";
+  std::map<std::string, const NamedPoint*> moved;
+  for (const NamedPoint& point : after.points) moved[point.name] = &point;
+  Rows rows;
+  for (const NamedPoint& point : before.points) {
+    const auto found = moved.find(point.name);
+    const bool seen = found != moved.end() && point.seen && found->second->seen;
+    Marker marker{point.name, point.line, point.region, point.position, {}};
+    if (seen) marker.expression = found->second->position;
+    rows.last = point.line;
+    rows.keep(marker, seen, options);
+    moved.erase(point.name);
+  }
+  for (const auto& [name, point] : moved) rows.table.missing.push_back(name);
+  rows.table.hasDepth = before.hasDepth;
+  const std::string fault = normalise(rows, options);
   if (fault.empty()) *this = rows.table;
   return fault;
 }

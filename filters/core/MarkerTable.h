@@ -1,19 +1,12 @@
 #pragma once
 
+#include "PointTable.h"
 #include "PupilNormalisation.h"
 
 #include <string>
 #include <vector>
 
 namespace mien {
-
-/// How a marker file is to be read.
-struct MarkerOptions {
-  bool yDown = false;     ///< y grows downwards, as in images
-  bool mirrored = false;  ///< the pictures show the face as a mirror does: x is turned round
-  std::string leftPupil = "pupil_left";  ///< name of the marker on the subject's left pupil
-  std::string rightPupil = "pupil_right";
-};
 
 /// A marker before and after, in the file's own unit with y up and x to the subject's left.
 struct Marker {
@@ -35,6 +28,10 @@ struct MarkerTable {
   /// A face that stands on its head after normalisation is refused.
   /// @return nothing, or "LINE: what is wrong and what to do"; the table is then as it was
   std::string parse(const std::string& text, const MarkerOptions& options = {});
+
+  /// From two files of the same markers, before and after, read with these options; a marker that one of them does not
+  /// have was not seen. @return nothing, or what is wrong: "neutral: ..", "expression: .." or for both
+  std::string join(const PointTable& before, const PointTable& after, const MarkerOptions& options = {});
 };
 
 }  // namespace mien

@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <string>
 
+#include "MienDeformationModule.h"
+
 namespace mien {
 
 /// All bytes of a file that is smaller than `limit`.
 /// @return nothing, or what is wrong with it (" it cannot be opened ..", to be put behind `FILE:`)
-std::string readTextFile(const std::string& name, std::size_t limit, std::string& text);
+MIENDEFORMATION_EXPORT std::string readTextFile(const std::string& name, std::size_t limit, std::string& text);
 
 }  // namespace mien

@@ -48,6 +48,16 @@ TEST(FDTMalformed, RecordingsAreRefusedWithTheirLineAndStayAsTheyWere) {
   EXPECT_GE(files, 16);
 }
 
+TEST(FDTMalformed, MarkersOfOneStateAreRefusedWithTheirLineAndStayAsTheyWere) {
+  const int files = forFiles("points", [](const std::string& text) {
+    PointTable table;
+    const std::string fault = table.parse(text);
+    EXPECT_TRUE(table.points.empty());
+    return fault;
+  });
+  EXPECT_GE(files, 12);
+}
+
 TEST(FDTMalformed, RegionMapsAreRefusedAndStayAsTheyWere) {
   const int files = forFiles("regions", [](const std::string& text) {
     FacialRegions regions = regionMap();

@@ -1,0 +1,109 @@
+#include "DeformedFace.h"
+
+#include <iostream>
+
+#include "FDTData.h"
+#include "Failure.h"
+#include "PipelineErrors.h"
+#include "vtkFDTDeformationFilter.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTable.h"
+
+namespace mien {
+
+namespace {
+
+vtkSmartPointer<vtkPointSet> deform(vtkPointSet* data, const DeformationTable& table, const DeformationOptions& options,
+                                    const EyePupils* pupils, const std::string& file) {
+  vtkNew<vtkFDTDeformationFilter> filter;
+  PipelineErrors errors;
+  errors.observe(filter);
+  vtkNew<vtkTable> rows;
+  writeFDT(table, rows);
+  filter->SetInputDataObject(0, data);
+  filter->SetTableData(rows);
+  filter->SetStrength(options.strength);
+  filter->SetSmooth(!options.hard);
+  filter->SetRegionFileName(options.reading.regionFile());
+  filter->SetLandmarkFileName(options.landmarks);
+  filter->SetLeftPupilName(options.reading.markers().leftPupil);
+  filter->SetRightPupilName(options.reading.markers().rightPupil);
+  if (pupils) {
+    filter->SetLeftPupil(pupils->left.data());
+    filter->SetRightPupil(pupils->right.data());
+  }
+  filter->Update();
+  if (!errors.first().empty()) throw FileFailure(file + ": " + errors.first());
+  return vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+/// The markers that were seen, as the filter takes them.
+vtkSmartPointer<vtkPolyData> pointsOf(const PointTable& markers) {
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkStringArray> names;
+  names->SetName("marker");
+  vtkNew<vtkIntArray> regions;
+  regions->SetName("region");
+  for (const NamedPoint& marker : markers.points) {
+    if (!marker.seen) continue;
+    points->InsertNextPoint(marker.position.data());
+    names->InsertNextValue(marker.name);
+    regions->InsertNextValue(marker.region);
+  }
+  const auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->GetPointData()->AddArray(names);
+  data->GetPointData()->AddArray(regions);
+  return data;
+}
+
+void requireUpright(const PointTable& markers, const EyePupils& pupils, const std::string& file) {
+  PupilNormalisation normalisation;
+  std::string fault = normalisation.set(pupils.left, pupils.right);
+  std::vector<std::pair<std::string, double>> heights;
+  for (const NamedPoint& marker : markers.points)
+    if (fault.empty() && marker.seen) heights.emplace_back(marker.name, normalisation.apply(marker.position).y());
+  if (fault.empty()) fault = describePosture(heights);
+  if (!fault.empty()) throw FileFailure(file + ": " + fault);
+}
+
+}  // namespace
+
+void deformMarkers(PointTable& markers, const DeformationTable& table, const DeformationOptions& options,
+                   const std::string& file) {
+  const MarkerOptions names = options.reading.markers();
+  EyePupils pupils;
+  const std::string fault = markers.findPupils(names, pupils);
+  if (!fault.empty()) throw FileFailure(file + ":" + fault);
+  requireUpright(markers, pupils, file);
+  const auto moved = deform(pointsOf(markers), table, options, &pupils, file);
+  vtkIdType next = 0;
+  for (NamedPoint& marker : markers.points) {
+    if (!marker.seen) continue;
+    const vtkIdType id = next++;
+    const bool pupil = !names.neutralPupils && (marker.name == names.leftPupil || marker.name == names.rightPupil);
+    if (!pupil) moved->GetPoint(id, marker.position.data());
+  }
+}
+
+vtkSmartPointer<vtkPointSet> deformSurface(vtkPointSet* surface, const DeformationTable& table,
+                                           const DeformationOptions& options, const std::string& file) {
+  const MarkerOptions names = options.reading.markers();
+  const auto moved = deform(surface, table, options, names.neutralPupils ? &*names.neutralPupils : nullptr, file);
+  const bool told = !options.landmarks.empty() || surface->GetPointData()->HasArray("LipSide") ||
+                    surface->GetPointData()->HasArray("marker") || vtkStructuredGrid::SafeDownCast(surface);
+  if (!told)
+    std::cerr << "mien: " << file
+              << ": nothing tells its upper lips and lids from the lower ones, so the mouth will not open; give the 68 "
+                 "landmarks with --landmarks\n";
+  return moved;
+}
+
+}  // namespace mien

@@ -1,0 +1,152 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+#include "FaceFrame.h"
+#include "FaceOptions.h"
+#include "FacePipeline.h"
+#include "Failure.h"
+#include "FdtCommands.h"
+#include "FittedTable.h"
+#include "Remarks.h"
+#include "TableOutput.h"
+#include "TableRows.h"
+#include "vtkNew.h"
+#include "vtkStructuredGrid.h"
+
+namespace mien {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+// Fine enough that each region has hundreds of points, on rows that all lie on curves or between them.
+constexpr int defaultRows = 164, defaultColumns = 160;
+
+struct Options {
+  std::string expressions;
+  FaceOptions face;
+  TableOutput output;
+};
+
+/// The same face at rest.
+FaceState neutralOf(FaceState state) {
+  state.fapFile.clear();
+  state.fapValues.clear();
+  state.expressions.clear();
+  state.deformation = {};
+  return state;
+}
+
+bool movesAnything(const FaceState& state) {
+  return !state.fapFile.empty() || !state.fapValues.empty() || !state.expressions.empty() ||
+         !state.deformation.table.empty();
+}
+
+vtkSmartPointer<vtkStructuredGrid> copyOf(vtkStructuredGrid* grid) {
+  const auto copy = vtkSmartPointer<vtkStructuredGrid>::New();
+  copy->DeepCopy(grid);
+  return copy;
+}
+
+/// RMS of the movement in depth of each region's points that are wholly on the face, mm: what no table carries.
+struct Depths {
+  std::array<double, FacialRegions::count> rms{};
+  double all = 0.0, unit = 1.0;
+
+  Depths(vtkStructuredGrid* neutral, vtkStructuredGrid* moved, const FacialRegions& regions) {
+    FaceFrame before, after;
+    for (const auto& [grid, frame] : {std::pair(neutral, &before), std::pair(moved, &after)}) {
+      const std::string fault = readFaceFrame(grid, {}, regions, *frame);
+      if (!fault.empty()) throw FileFailure(fault);
+    }
+    unit = before.pupils.unit();
+    std::array<long, FacialRegions::count> counts{};
+    long count = 0;
+    for (std::size_t i = 0; i < before.points.size(); ++i) {
+      const DeformationPoint& point = before.points[i];
+      const Eigen::Vector3d place = before.pupils.apply(point.position);
+      if (regions.outlineWeight(place.head<2>()) < 1.0 || regions.facingWeight(place.z(), point.normalZ) < 1.0)
+        continue;
+      const double depth = unit * (after.pupils.apply(after.points[i].position).z() - place.z());
+      const int region = regions.nearest(place.head<2>(), point.side) - 1;
+      rms[region] += depth * depth;
+      ++counts[region];
+      all += depth * depth;
+      ++count;
+    }
+    for (int i = 0; i < FacialRegions::count; ++i) rms[i] = counts[i] ? std::sqrt(rms[i] / counts[i]) : 0.0;
+    all = count ? std::sqrt(all / count) : 0.0;
+  }
+};
+
+Report reportOf(const FittedTable& fitted, const Depths& depths, const FacialRegions& regions) {
+  Report report;
+  report.json = fitted.description(regions);
+  report.json["rms_mm"] = depths.unit * fitted.rms;
+  report.json["depth_mm"] = depths.all;
+  report.rows = json::array();
+  for (int region = 1; region <= FacialRegions::count; ++region) {
+    json& about = report.json["regions"][region - 1];
+    about["rms_mm"] = depths.unit * fitted.regions[region - 1].rms;
+    about["depth_mm"] = depths.rms[region - 1];
+    report.rows.push_back({{"region", std::to_string(region) + " " + regions.name(region)},
+                           {"points", about["points"]},
+                           {"rms", about["rms"]},
+                           {"rms_mm", about["rms_mm"]},
+                           {"depth_mm", about["depth_mm"]}});
+  }
+  report.remarks = {"RMS " + readableNumber(fitted.rms) + " pupil units, " + readableNumber(depths.unit * fitted.rms) +
+                    " mm; depth_mm is the movement in depth (RMS " + readableNumber(depths.all) +
+                    " mm), which no table carries"};
+  return report;
+}
+
+void run(Options& options) {
+  options.output.check();
+  if (!options.expressions.empty()) options.face.setExpressions(options.expressions);
+  FaceState state = options.face.state();
+  if (!movesAnything(state))
+    throw ValueFailure("nothing moves the face; name an expression such as joy, or give --fap FILE --frame K or --set");
+  FacePipeline pipeline;
+  options.face.apply(pipeline);
+  updateOrThrow(pipeline);
+  printRemarks(pipeline);
+  const auto moved = copyOf(pipeline.grid());
+  pipeline.setState(neutralOf(pipeline.state()));
+  updateOrThrow(pipeline);
+  const auto neutral = copyOf(pipeline.grid());
+  const MarkerFileOptions reading;
+  const FacialRegions regions = reading.regions();
+  const std::string face = state.curvesFile.empty() ? "generic face" : state.curvesFile;
+  const FittedTable fitted = fitSurfaces(neutral, moved, reading, "", false, face);
+  if (!fitted.warning.empty()) std::cerr << "mien: " << face << ": " << fitted.warning << "\n";
+  std::string what = state.fapFile;
+  for (const auto& [name, intensity] : state.expressions)
+    what += (what.empty() ? "" : ", ") + name + ":" + readableNumber(intensity);
+  options.output.write(fitted.table, "Fitted to " + (what.empty() ? "FAPs" : what) + " of the " + face + ", RMS " +
+                                         readableNumber(fitted.rms) + " pupil units; Mien " MIEN_VERSION);
+  options.output.print(reportOf(fitted, Depths(neutral, moved, regions), regions));
+}
+
+}  // namespace
+
+void addFdtFromFapCommand(CLI::App& parent) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = parent.add_subcommand("from-fap", "Fit a table to a FAP expression or frame of the PDE face");
+  CLI::Option* expressions = command->add_option(
+      "expressions", options->expressions, "Expressions with intensities, such as joy:0.8 or joy:0.6,surprise:0.4");
+  options->output.addTo(*command, "Table to write, FILE.csv");
+  options->face.setDefaultResolution(defaultRows, defaultColumns);
+  options->face.addAll(*command);
+  expressions->excludes(command->get_option("--expression"));
+  command->footer(
+      "Example: mien fdt from-fap joy -o joy.csv && mien fdt apply joy.csv head.ply --landmarks head68.csv -o "
+      "smiling.ply\n"
+      "         mien fdt from-fap --fap talk.fap --frame 12 -o frame.csv\n"
+      "The face is sampled at 164 x 160 unless --resolution says otherwise; lips and lids are told apart by u.");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace mien

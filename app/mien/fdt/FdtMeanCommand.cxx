@@ -1,0 +1,89 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "CsvText.h"
+#include "FdtCommands.h"
+#include "TableInput.h"
+#include "TableOutput.h"
+#include "TableRows.h"
+#include "TableStatistics.h"
+
+namespace mien {
+
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string comment;
+  MarkerFileOptions reading;
+  TableOutput output;
+};
+
+/// The mean of the standard deviations of a region's twelve coefficients.
+double spread(const DeformationTable& mean, int region) {
+  return mean.deviations->at(region - 1).mean();
+}
+
+nlohmann::ordered_json rowsOf(const DeformationTable& mean, const FacialRegions& regions) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (int region = 1; region <= FacialRegions::count; ++region) {
+    const Eigen::Vector2d& centre = regions.centre(region);
+    const Eigen::Vector2d move = mean.maps[region - 1].apply(centre) - centre;
+    rows.push_back({{"region", std::to_string(region) + " " + regions.name(region)},
+                    {"centre_dx", move.x()},
+                    {"centre_dy", move.y()},
+                    {"mean_sd", spread(mean, region)}});
+  }
+  return rows;
+}
+
+void run(const Options& options) {
+  options.output.check();
+  const FacialRegions regions = options.reading.regions();
+  std::vector<DeformationTable> tables;
+  Report report;
+  double sum = 0.0;
+  int recordings = 0;
+  report.json["files"] = nlohmann::ordered_json::array();
+  for (const std::string& file : options.files) {
+    const TableInput input = readTableOrRecording(file, options.reading, regions);
+    tables.push_back(input.table);
+    nlohmann::ordered_json about = {{"file", file}};
+    if (input.markers) {
+      about["rms"] = input.rms;
+      sum += input.rms;
+      ++recordings;
+    }
+    report.json["files"].push_back(about);
+  }
+  const DeformationTable mean = meanTable(tables);
+  options.output.write(mean, options.comment.empty()
+                                 ? "Mean of " + std::to_string(tables.size()) +
+                                       " tables with standard deviations, pupil units; Mien " MIEN_VERSION
+                                 : options.comment);
+  report.json["tables"] = tables.size();
+  if (recordings) report.json["mean_rms"] = sum / recordings;
+  report.rows = rowsOf(mean, regions);
+  report.json["regions"] = report.rows;
+  report.remarks = {
+      "mean of " + std::to_string(tables.size()) +
+      (recordings ? " tables; mean RMS of the fits " + readableNumber(sum / recordings) + " pupil units" : " tables")};
+  options.output.print(report);
+}
+
+}  // namespace
+
+void addFdtMeanCommand(CLI::App& parent) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = parent.add_subcommand("mean", "Average tables, with standard deviations");
+  command->add_option("files", options->files, "Tables, or recordings that are fitted on the way")->required();
+  options->output.addTo(*command, "Table to write, FILE.csv", true);
+  command->add_option("--comment", options->comment, "Text for the head of the file: what it is, and its source");
+  options->reading.addTo(*command, true);
+  command->footer(
+      "Example: mien fdt mean subject*_joy.csv -o joy.csv\n"
+      "Standard deviations are those of a sample (n - 1). mien fdt check tells what lies outside mean +- sd.");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace mien

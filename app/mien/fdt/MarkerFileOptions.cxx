@@ -1,0 +1,104 @@
+#include "MarkerFileOptions.h"
+
+#include <CLI/CLI.hpp>
+
+#include "Arguments.h"
+#include "FaceFrame.h"
+#include "Failure.h"
+#include "TextFileReader.h"
+
+namespace mien {
+
+namespace {
+
+constexpr std::size_t largestText = 256'000'000;  // four million markers
+
+/// "x,y[,z],x,y[,z]": the subject's left pupil first.
+EyePupils parsePlaces(const std::string& option, const std::vector<std::string>& parts) {
+  const int axes = static_cast<int>(parts.size()) / 2;
+  EyePupils places;
+  for (int axis = 0; axis < axes; ++axis) {
+    places.left[axis] = parseNumber(option, parts[axis]);
+    places.right[axis] = parseNumber(option, parts[axes + axis]);
+  }
+  return places;
+}
+
+bool arePlaces(const std::vector<std::string>& parts) {
+  return parts.size() == 4 || parts.size() == 6;
+}
+
+ValueFailure noPupils(const std::string& option, const std::string& text, bool names) {
+  return ValueFailure(option + " '" + text + "' is no pair of pupils; give " +
+                      (names ? "the names of two markers, or " : "") +
+                      "x,y,x,y or x,y,z,x,y,z, the subject's left pupil first");
+}
+
+}  // namespace
+
+void MarkerFileOptions::addTo(CLI::App& command, bool twoStates) {
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    return command.add_option(name, value, help)->group("Reading faces");
+  };
+  CLI::Option* pupils = add("--pupils", pupils_,
+                            "The subject's left and right pupil: names of two markers, or their places x,y[,z],x,y[,z] "
+                            "[pupil_left,pupil_right]");
+  if (twoStates)
+    add("--expression-pupils", expressionPupils_, "Places of the pupils in the expression [those of --pupils]")
+        ->needs(pupils);
+  add("--regions", regionFile_, "Region map of your own, FILE.json [the 16 regions compiled in]");
+  command.add_flag("--y-down", yDown_, "y runs downwards, as in images")->group("Reading faces");
+  command.add_flag("--mirrored", mirrored_, "The pictures show the face as a mirror does")->group("Reading faces");
+}
+
+MarkerOptions MarkerFileOptions::markers() const {
+  MarkerOptions options;
+  options.yDown = yDown_;
+  options.mirrored = mirrored_;
+  if (pupils_.empty()) return options;
+  const std::vector<std::string> parts = splitText(pupils_, ',');
+  if (parts.size() == 2) {
+    options.leftPupil = parts[0];
+    options.rightPupil = parts[1];
+  } else if (arePlaces(parts)) {
+    options.neutralPupils = options.expressionPupils = parsePlaces("--pupils", parts);
+  } else {
+    throw noPupils("--pupils", pupils_, true);
+  }
+  if (expressionPupils_.empty()) return options;
+  const std::vector<std::string> others = splitText(expressionPupils_, ',');
+  if (!arePlaces(others) || !arePlaces(parts)) throw noPupils("--expression-pupils", expressionPupils_, false);
+  options.expressionPupils = parsePlaces("--expression-pupils", others);
+  return options;
+}
+
+FacialRegions MarkerFileOptions::regions() const {
+  FacialRegions regions;
+  const std::string fault = readRegions(regionFile_, regions);
+  if (!fault.empty()) throw FileFailure(fault);
+  return regions;
+}
+
+std::string readMarkerText(const std::string& file) {
+  std::string text;
+  const std::string fault = readTextFile(file, largestText, text);
+  if (!fault.empty()) throw FileFailure(file + ":" + fault);
+  text.shrink_to_fit();
+  return text;
+}
+
+MarkerTable readRecording(const std::string& file, const MarkerFileOptions& options) {
+  MarkerTable markers;
+  const std::string fault = markers.parse(readMarkerText(file), options.markers());
+  if (!fault.empty()) throw FileFailure(file + ":" + fault);
+  return markers;
+}
+
+PointTable readPoints(const std::string& file, const MarkerFileOptions& options) {
+  PointTable points;
+  const std::string fault = points.parse(readMarkerText(file), options.markers());
+  if (!fault.empty()) throw FileFailure(file + ":" + fault);
+  return points;
+}
+
+}  // namespace mien

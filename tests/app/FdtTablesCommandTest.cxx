@@ -1,0 +1,146 @@
+/// mien fdt mean, mirror, blend, check and show.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "CsvRows.h"
+#include "NamedTables.h"
+#include "Program.h"
+#include "ReferenceData.h"
+#include "SampleRecording.h"
+#include "TableFiles.h"
+
+using nlohmann::json;
+
+namespace {
+
+const char* const expressions[] = {"anger", "disgust", "fear", "joy", "sadness", "surprise"};
+
+Outcome run(std::vector<std::string> words) {
+  words.insert(words.begin(), "fdt");
+  return runMien(words);
+}
+
+}  // namespace
+
+TEST(FdtMeanCommand, AveragesTablesAndRecordings) {
+  const TemporaryFolder folder;
+  writeTextFile(folder.file("r.csv"), SampleRecording(*mien::namedTable("joy")).recording());
+  const std::string mean = folder.file("m.csv");
+  const Outcome outcome =
+      run({"mean", folder.file("r.csv"), "surprise", "smile", "-o", mean, "--comment", "Three", "--json"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_EQ(readTextFile(mean).rfind("# Three\nregion,", 0), 0u);
+  const json about = json::parse(outcome.output);
+  EXPECT_EQ(about["tables"], 3);
+  EXPECT_LT(about["mean_rms"], 1e-12);
+  const mien::DeformationTable table = tableFrom(mean);
+  ASSERT_TRUE(table.deviations);
+  for (int i = 0; i < 16; ++i)
+    for (int k = 0; k < 12; ++k) {
+      const auto of = [&](const char* name) { return mien::namedTable(name)->maps[i].coefficients(k / 6, k % 6); };
+      const double a = of("joy"), b = of("surprise"), c = of("smile"), m = (a + b + c) / 3.0;
+      EXPECT_NEAR(table.maps[i].coefficients(k / 6, k % 6), m, 1e-9);
+      const double sd = std::sqrt(((a - m) * (a - m) + (b - m) * (b - m) + (c - m) * (c - m)) / 2.0);
+      EXPECT_NEAR(table.deviations->at(i)(k / 6, k % 6), sd, 1e-9);
+    }
+}
+
+TEST(FdtMeanCommand, ReproducesTheMeanTables) {
+  MIEN_REQUIRE_REFERENCE("markers");
+  const TemporaryFolder folder;
+  for (const char* const expression : expressions) {
+    std::vector<std::string> words = {"mean", "-o", folder.file("m.csv"), "--json"};
+    for (int subject = 1; subject <= 12; ++subject)
+      words.push_back(referencePath("markers/subject" + std::string(subject < 10 ? "0" : "") + std::to_string(subject) +
+                                    "_" + expression + ".csv"));
+    const Outcome outcome = run(words);
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    EXPECT_LT(tableDifference(tableFrom(folder.file("m.csv")), *mien::namedTable(expression)), 1e-12) << expression;
+    EXPECT_LT(json::parse(outcome.output)["mean_rms"], 0.025);
+  }
+}
+
+TEST(FdtMirrorCommand, TwiceIsTheTable) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run({"mirror", "joy", "-o", folder.file("a.csv")}).exitCode, 0);
+  ASSERT_EQ(run({"mirror", folder.file("a.csv"), "-o", folder.file("b.csv")}).exitCode, 0);
+  EXPECT_GT(tableDifference(tableFrom(folder.file("a.csv")), *mien::namedTable("joy")), 1e-4);
+  EXPECT_EQ(tableDifference(tableFrom(folder.file("b.csv")), *mien::namedTable("joy")), 0.0);
+  EXPECT_EQ(tableFrom(folder.file("b.csv")).deviations->at(3), mien::namedTable("joy")->deviations->at(3));
+}
+
+TEST(FdtBlendCommand, WeightsThatSumToOneMix) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run({"blend", "joy:0.25", "fear:0.75", "-o", folder.file("a.csv")}).exitCode, 0);
+  const mien::DeformationTable mixed = mien::namedTable("joy")->blended(*mien::namedTable("fear"), 0.75);
+  EXPECT_LT(tableDifference(tableFrom(folder.file("a.csv")), mixed), 1e-15);
+  ASSERT_EQ(run({"blend", "joy", "-o", folder.file("b.csv")}).exitCode, 0);
+  EXPECT_TRUE(tableFrom(folder.file("b.csv")).deviations);
+  EXPECT_EQ(run({"blend", "joy:11", "-o", folder.file("c.csv")}).exitCode, 2);
+  EXPECT_EQ(run({"blend", "joy"}).exitCode, 2);
+}
+
+TEST(FdtCheckCommand, ListsWhatLiesOutside) {
+  const TemporaryFolder folder;
+  mien::DeformationTable table = *mien::namedTable("joy");
+  table.maps[4].coefficients(1, 2) += 3.0 * table.deviations->at(4)(1, 2);
+  table.maps[11].coefficients(0, 5) -= 1.5 * table.deviations->at(11)(0, 5);
+  table.maps[12].coefficients(0, 5) -= 0.9 * table.deviations->at(12)(0, 5);
+  writeTextFile(folder.file("t.csv"), mien::writeTable(table));
+  const Outcome outcome =
+      run({"check", folder.file("t.csv"), "--against", "joy", "--json", "-o", folder.file("l.csv")});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  const json about = json::parse(outcome.output);
+  EXPECT_EQ(about["outside"], 2);
+  EXPECT_EQ(about["list"][0]["region"], 5);
+  EXPECT_EQ(about["list"][0]["coefficient"], "b3");
+  EXPECT_NEAR(about["list"][0]["sds"], 3.0, 1e-9);
+  EXPECT_NEAR(about["list"][1]["sds"], -1.5, 1e-9);
+  EXPECT_EQ(csvRows(folder.file("l.csv")).size(), 2u);
+  const Outcome same = run({"check", "joy", "--against", "joy"});
+  EXPECT_EQ(same.exitCode, 0);
+  EXPECT_NE(same.output.find("0 of 192"), std::string::npos) << same.output;
+  const Outcome plain = run({"check", "joy", "--against", "smile"});
+  EXPECT_EQ(plain.exitCode, 1);
+  EXPECT_NE(plain.errors.find("no standard deviations"), std::string::npos);
+}
+
+TEST(FdtShowCommand, PrintsAndDrawsATable) {
+  const TemporaryFolder folder;
+  for (const char* const width : {"85", "170"}) {
+    const Outcome outcome =
+        run({"show", "joy", "--width", width, "-o", folder.file("j.svg"), "-o", folder.file("j.csv")});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    const std::string figure = readTextFile(folder.file("j.svg"));
+    EXPECT_EQ(figure.find("<image"), std::string::npos);
+    for (const char* const part : {">16<", "Regions", "±", "mien fdt show joy"})
+      EXPECT_NE(figure.find(part), std::string::npos) << part;
+  }
+  EXPECT_EQ(csvRows(folder.file("j.csv")).size(), 192u);
+  const json about = json::parse(run({"show", "smile", "--json"}).output);
+  EXPECT_EQ(about["regions"].size(), 16u);
+  EXPECT_EQ(about["regions"][13]["a"][3], 1.609);
+  EXPECT_FALSE(about["regions"][13].contains("a_sd"));
+  EXPECT_EQ(json::parse(run({"show", "joy", "--json"}).output)["regions"][0]["b_sd"].size(), 6u);
+  EXPECT_EQ(run({"show", "joy", "--arrows", "0"}).exitCode, 2);
+}
+
+TEST(FdtPackCommand, KeepsTheBoundItStates) {
+  const TemporaryFolder folder;
+  double before = 1.0;
+  for (const char* const bits : {"8", "16"}) {
+    const Outcome outcome = run({"pack", "surprise", "--bits", bits, "-o", folder.file("p.fdt"), "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    const json about = json::parse(outcome.output);
+    EXPECT_EQ(about["bytes"], readTextFile(folder.file("p.fdt")).size());
+    EXPECT_LE(about["generic_face_error_mm"], about["error_bound_mm"].get<double>() + 1e-5);
+    EXPECT_LT(about["error_bound_mm"], before) << "more bits, less error";
+    before = about["error_bound_mm"].get<double>() / 100.0;
+    const Outcome named = run({"classify", folder.file("p.fdt"), "--json"});
+    EXPECT_EQ(json::parse(named.output)["expression"], "surprise");
+  }
+  EXPECT_EQ(run({"pack", "joy", "--bits", "12", "-o", folder.file("q.fdt")}).exitCode, 2);
+  EXPECT_EQ(run({"pack", "joy", "-o", folder.file("q.csv")}).exitCode, 2);
+}
