@@ -114,6 +114,15 @@ void FaceOverlay::showSurface(vtkPolyData* surface, const char* array, const Sca
   show(surface_, false, true);
 }
 
+void FaceOverlay::showColors(vtkPolyData* surface, const char* array) {
+  surfaceMapper_->SetScalarModeToUsePointFieldData();
+  surfaceMapper_->SelectColorArray(array);
+  surfaceMapper_->SetColorModeToDirectScalars();
+  surfaceMapper_->InterpolateScalarsBeforeMappingOff();
+  surfaceMapper_->SetInputData(surface);
+  show(surface_, false, false);
+}
+
 void FaceOverlay::showZebra(vtkPolyData* surface) {
   zebraMapper_->SetInputData(surface);
   show(zebra_, false, false);

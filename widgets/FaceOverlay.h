@@ -36,6 +36,7 @@ class FaceOverlay : public QObject {
   ~FaceOverlay() override;
 
   void showSurface(vtkPolyData* surface, const char* array, const Scale& scale);  ///< coloured by a point array
+  void showColors(vtkPolyData* surface, const char* array);  ///< a point array of red, green, blue (0 .. 255); without a scale
   void showZebra(vtkPolyData* surface);  ///< light and dark bands of one direction of its normals, drawn per pixel
   void showLines(vtkPolyData* lines, const char* array, const Scale& scale);  ///< on the skin, coloured by a point array
   void hide();

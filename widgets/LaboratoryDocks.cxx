@@ -1,6 +1,7 @@
 #include "LaboratoryDocks.h"
 
 #include "ContinuityPanel.h"
+#include "DeformationPanel.h"
 #include "FAPPlotPanel.h"
 #include "FaceView.h"
 #include "SmoothingPanel.h"
@@ -38,6 +39,7 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
   add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
+  add("deformationDock", tr("Deformation"), new DeformationPanel(model, view));
 }
 
 QDockWidget* LaboratoryDocks::add(const QString& name, const QString& title, QWidget* panel) {

@@ -250,6 +250,7 @@ void StudioWindow::resetAll() {
     state.expressions.clear();
     state.fapFile.clear();
     state.frame = 0.0;
+    state.deformation = {};
   });
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <vector>
+
 #include "ClosedCurves.h"
 #include "HarmonicSplit.h"
-
-#include <Eigen/Core>
 
 namespace mien {
 
@@ -12,7 +13,7 @@ using RowMajor = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::Ro
 
 /// B_j(v): closed curves split into harmonics and sampled at the columns of a grid [S eq. 9-11].
 ///
-/// Row c J + j of the matrix is part j of curve c (J parts); its columns are x, y, z of column 0, then
+/// Row c J + j of the matrix is part j of curve or datum c (J parts); its columns are x, y, z of column 0, then
 /// of column 1, and so on (mm, or mm per radian for the derivative), padded with zeros for rowProduct().
 template <class Scalar>
 class BoundaryField {
@@ -28,11 +29,12 @@ class BoundaryField {
   int partCount() const { return split_.count(); }
 
  private:
-  void fillPart(int part, const Eigen::MatrixXd& coefficients);
+  void fillPart(int part, int curveCount);
 
   HarmonicSplit split_;
-  Eigen::MatrixXd synthesis_;      ///< columns x K
-  Eigen::MatrixXd sampled_;        ///< columns x 3 curves, of one part
+  std::vector<RowMajor<double>> synthesis_;  ///< by part: columns x coefficients
+  RowMajor<double> coefficients_;            ///< K x 3 curves, padded for rowProduct()
+  RowMajor<double> sampled_;                 ///< columns x 3 curves, of one part
   RowMajor<Scalar> matrix_;
 };
 

@@ -79,7 +79,8 @@ class MeshWalk {
     if (number_[vertex] != none) return connections_.whole(rim + count_ - number_[vertex]);
     connections_.whole(newVertex);
     number_[vertex] = count_++;
-    for (const double difference : steps(vertex) - expected) positions_.signedWhole(std::llround(difference));
+    const Eigen::Vector3d differences = steps(vertex) - expected;
+    for (const double difference : differences) positions_.signedWhole(std::llround(difference));
   }
 
   const TriangleMesh& mesh_;

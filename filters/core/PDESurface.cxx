@@ -6,54 +6,45 @@
 
 namespace mien {
 
-namespace {
-
-/// First and last curve (J columns each) that a part of U uses at all.
-std::pair<int, int> usedCurves(const Eigen::MatrixXd& u, int parts) {
-  const int curves = static_cast<int>(u.cols()) / parts;
-  int first = curves, last = -1;
-  for (int c = 0; c < curves; ++c) {
-    if ((u.middleCols(c * parts, parts).array() == 0.0).all()) continue;
-    first = std::min(first, c);
-    last = c;
-  }
-  return last < 0 ? std::make_pair(0, 0) : std::make_pair(first, last);
-}
-
-}  // namespace
-
 template <class Scalar>
 PDESurface<Scalar>::PDESurface(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split, int curveCount,
                                const Eigen::VectorXd& v, int derivatives)
     : split_(split),
-      curveCount_(curveCount),
+      data_(split, curveCount),
       columnCount_(static_cast<int>(v.size())),
       analysis_(split.analysis()),
       u_(derivatives + 1) {
-  for (int order = 0; order <= derivatives; ++order) {
-    b_.emplace_back(split, v, order);
-    for (const SurfacePiece& piece : pieces) addBlock(piece, order);
+  for (int order = 0; order <= derivatives; ++order) b_.emplace_back(split, v, order);
+  for (const SurfacePiece& piece : pieces) {
+    if (piece.u.empty()) continue;
+    rowCount_ = std::max(rowCount_, piece.firstRow + static_cast<int>(piece.u.size()));
+    const std::vector<int> data = data_.add(piece);
+    for (int order = 0; order <= derivatives; ++order) addBlock(piece, data, order);
   }
 }
 
 template <class Scalar>
-void PDESurface<Scalar>::addBlock(const SurfacePiece& piece, int derivative) {
-  if (piece.u.empty()) return;
-  rowCount_ = std::max(rowCount_, piece.firstRow + static_cast<int>(piece.u.size()));
-  const Eigen::MatrixXd u = surfaceOperator(piece, split_, curveCount_, derivative);
-  if (u.size() == 0) {
-    fault_ = "the conditions of a patch do not determine a surface; give as many independent ones as its order";
-    return;
+void PDESurface<Scalar>::addBlock(const SurfacePiece& piece, const std::vector<int>& data, int derivative) {
+  const auto [first, last] = std::minmax_element(data.begin(), data.end());
+  const int parts = split_.count();
+  RowMajor<Scalar> matrix = RowMajor<Scalar>::Zero(piece.u.size(), (*last - *first + 1) * parts);
+  for (int part = 0; part < parts; ++part) {
+    const Eigen::MatrixXd u = pieceOperator(piece, split_, part, derivative);
+    if (u.size() == 0) {
+      fault_ = "the conditions of a patch do not determine a surface; give as many independent ones as its order";
+      return;
+    }
+    for (size_t i = 0; i < data.size(); ++i)
+      matrix.col((data[i] - *first) * parts + part) += u.col(i).template cast<Scalar>();
   }
-  const auto [first, last] = usedCurves(u, split_.count());
-  const auto used = u.middleCols(first * split_.count(), (last - first + 1) * split_.count());
-  u_[derivative].push_back({piece.firstRow, first, used.template cast<Scalar>()});
+  u_[derivative].push_back({piece.firstRow, *first, std::move(matrix)});
 }
 
 template <class Scalar>
 void PDESurface<Scalar>::setCurves(const ClosedCurves& curves) {
   fourierCoefficients(analysis_, curves, samples_, coefficients_);
-  for (BoundaryField<Scalar>& b : b_) b.update(coefficients_);
+  data_.derive(coefficients_, dataCoefficients_);
+  for (BoundaryField<Scalar>& b : b_) b.update(dataCoefficients_);
 }
 
 // S = U B, piece by piece.
@@ -66,7 +57,7 @@ void PDESurface<Scalar>::evaluate(int orderU, int orderV, int firstRow, Grid gri
     const int end = std::min(endRow, u.firstRow + static_cast<int>(u.matrix.rows()));
     if (begin >= end) continue;
     rowProduct(u.matrix.row(begin - u.firstRow).data(), end - begin, static_cast<int>(u.matrix.cols()),
-               b.matrix().row(u.firstCurve * b.partCount()).data(), b.matrix().cols(), static_cast<int>(grid.cols()),
+               b.matrix().row(u.firstDatum * b.partCount()).data(), b.matrix().cols(), static_cast<int>(grid.cols()),
                grid.row(begin - firstRow).data(), grid.cols());
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BoundaryData.h"
 #include "BoundaryField.h"
 #include "SurfacePiece.h"
 
@@ -10,7 +11,8 @@ namespace mien {
 
 /// A surface of pieces on one grid, re-evaluated for ever new curves: S = U B.
 ///
-/// U depends on the pieces, a and N only and is made once; B is made from the curves each time.
+/// U depends on the pieces, a and N only and is made once; B, the boundary data of all pieces at every column, is made
+/// from the curves each time.
 /// Grids are row-major: (rows) x (x, y, z of column 0, of column 1, ...), mm.
 template <class Scalar>
 class PDESurface {
@@ -37,17 +39,18 @@ class PDESurface {
   void evaluate(int orderU, int orderV, int firstRow, Grid grid) const;
 
  private:
-  /// The part of U that belongs to one piece, cut to the curves that it uses.
+  /// The part of U that belongs to one piece, over the run of data that it uses.
   struct Block {
-    int firstRow, firstCurve;
+    int firstRow, firstDatum;
     RowMajor<Scalar> matrix;
   };
 
-  void addBlock(const SurfacePiece& piece, int derivative);
+  void addBlock(const SurfacePiece& piece, const std::vector<int>& data, int derivative);
 
   HarmonicSplit split_;
-  int curveCount_, columnCount_, rowCount_ = 0;
-  Eigen::MatrixXd analysis_, samples_, coefficients_;
+  BoundaryData data_;
+  int columnCount_, rowCount_ = 0;
+  Eigen::MatrixXd analysis_, samples_, coefficients_, dataCoefficients_;
   std::vector<BoundaryField<Scalar>> b_;   ///< by order of the derivative
   std::vector<std::vector<Block>> u_;      ///< by order of the derivative
   std::string fault_;

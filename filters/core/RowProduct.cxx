@@ -30,7 +30,12 @@ inline __attribute__((always_inline)) void productOfTile(const Scalar* u, int ro
     const Vector v = *reinterpret_cast<const Vector*>(b + k * bStride);
     for (int i = 0; i < rowsAtOnce; ++i) sum[i] += row[i][k] * v;
   }
-  for (int i = 0; i < std::min(rows, rowsAtOnce); ++i) std::memcpy(out + i * outStride, &sum[i], columns * sizeof(Scalar));
+  const bool isWhole = columns * sizeof(Scalar) == vectorBytes;  // a known size is one instruction, an unknown one a call
+  for (int i = 0; i < std::min(rows, rowsAtOnce); ++i)
+    if (isWhole)
+      std::memcpy(out + i * outStride, &sum[i], vectorBytes);
+    else
+      std::memcpy(out + i * outStride, &sum[i], columns * sizeof(Scalar));
 }
 
 template <class Scalar>

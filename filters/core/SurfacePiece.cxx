@@ -12,7 +12,8 @@ ModeOperator modeOperator(const SurfacePiece& piece, const HarmonicSplit& split,
   return ModeOperator(split.rate(part, piece.smoothing), piece.conditions, piece.begin, piece.end);
 }
 
-/// Row i of the data that the conditions name, condition by condition.
+}  // namespace
+
 Eigen::MatrixXd dataOfConditions(const SurfacePiece& piece, int part) {
   const Eigen::MatrixXd data = piece.boundaryData(part);
   Eigen::MatrixXd chosen(piece.conditions.size(), data.cols());
@@ -20,16 +21,20 @@ Eigen::MatrixXd dataOfConditions(const SurfacePiece& piece, int part) {
   return chosen;
 }
 
-}  // namespace
+Eigen::MatrixXd pieceOperator(const SurfacePiece& piece, const HarmonicSplit& split, int part, int derivative) {
+  const ModeOperator mode = modeOperator(piece, split, part);
+  if (!mode.solvable()) return {};
+  Eigen::MatrixXd u(piece.u.size(), piece.conditions.size());
+  for (size_t row = 0; row < piece.u.size(); ++row) u.row(row) = mode.row(piece.u[row], derivative);
+  return u;
+}
 
 Eigen::MatrixXd surfaceOperator(const SurfacePiece& piece, const HarmonicSplit& split, int curveCount, int derivative) {
   const int parts = split.count();
-  Eigen::MatrixXd u(piece.u.size(), piece.conditions.size());
   Eigen::MatrixXd result(piece.u.size(), curveCount * parts);
   for (int part = 0; part < parts; ++part) {
-    const ModeOperator mode = modeOperator(piece, split, part);
-    if (!mode.solvable()) return {};
-    for (size_t row = 0; row < piece.u.size(); ++row) u.row(row) = mode.row(piece.u[row], derivative);
+    const Eigen::MatrixXd u = pieceOperator(piece, split, part, derivative);
+    if (u.size() == 0) return {};
     const Eigen::MatrixXd product = u * dataOfConditions(piece, part);
     for (int c = 0; c < curveCount; ++c) result.col(c * parts + part) = product.col(c);
   }

@@ -22,6 +22,15 @@ struct SurfacePiece {
   std::function<Eigen::MatrixXd(int part)> boundaryData;
 };
 
+/// Row i is what condition i prescribes at part j of the split, as a combination of the curves: (conditions x curves).
+Eigen::MatrixXd dataOfConditions(const SurfacePiece& piece, int part);
+
+/// U_j of a piece: its 2m boundary data become grid rows. (rows x conditions)
+///
+/// @param derivative  order of the derivative with respect to u
+/// @return an empty matrix when the conditions do not determine a surface
+Eigen::MatrixXd pieceOperator(const SurfacePiece& piece, const HarmonicSplit& split, int part, int derivative);
+
 /// [U_j D_j] of a piece: row c J + j of BoundaryField becomes grid rows. (rows x curves J), curves J as there.
 ///
 /// @param derivative  order of the derivative with respect to u

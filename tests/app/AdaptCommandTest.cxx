@@ -8,8 +8,8 @@
 
 namespace {
 
-/// The landmarks of the generic face as those of a photograph: 3 pixels per mm, y downwards.
-std::string writePhotograph(const std::string& name, double chin = 0.0) {
+/// The landmarks of the generic face as those of a photograph: 3 pixels per mm, y downwards; the chin dropped by so many mm.
+std::string writePhotograph(const std::string& name, double chinDrop = 0.0) {
   std::ifstream known(MIEN_DATA_DIR "/faces/generic68.csv");
   std::ofstream file(name);
   file << "landmark,x,y\n";
@@ -21,7 +21,7 @@ std::string writePhotograph(const std::string& name, double chin = 0.0) {
     int landmark;
     double x, y;
     cells >> landmark >> comma >> x >> comma >> y;
-    file << landmark << "," << 500.0 + 3.0 * x << "," << 400.0 - 3.0 * (y - (landmark == 8 ? chin : 0.0)) << "\n";
+    file << landmark << "," << 500.0 + 3.0 * x << "," << 400.0 - 3.0 * (y - (landmark == 8 ? chinDrop : 0.0)) << "\n";
   }
   return name;
 }
@@ -48,7 +48,7 @@ TEST(AdaptCommand, WrongInputIsRefused) {
   const Outcome missing = runMien({"adapt", folder.file("none.csv"), "-o", output});
   EXPECT_EQ(missing.exitCode, 1);
   EXPECT_NE(missing.errors.find("none.csv: "), std::string::npos) << missing.errors;
-  const Outcome folded = runMien({"adapt", writePhotograph(folder.file("folded.csv"), 150.0), "-o", output});
+  const Outcome folded = runMien({"adapt", writePhotograph(folder.file("folded.csv"), -60.0), "-o", output});
   EXPECT_EQ(folded.exitCode, 1);
   EXPECT_NE(folded.errors.find("folded.csv: "), std::string::npos) << folded.errors;
   EXPECT_EQ(entriesIn(folder.file("")), 2);

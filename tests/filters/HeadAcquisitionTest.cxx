@@ -51,7 +51,8 @@ class Heads : public testing::TestWithParam<const char*> {
         EXPECT_NEAR(axis.azimuth(p), -axis.azimuth(q), 1e-9) << "points j and K - j mirror each other in azimuth";
         const Eigen::Vector3d before = face().curves.curve(c).row(j - 1), after = face().curves.curve(c).row((j + 1) % 40);
         const double spike = axis.radius(p) - 0.5 * (axis.radius(before) + axis.radius(after));
-        const bool aside = j <= 12 || j >= 28;
+        // Ears stand between 60 and 150 degrees of azimuth; at 39 degrees C28 runs over the corner of a chin.
+        const bool aside = std::abs(axis.azimuth(p)) > 60.0 / 180.0 * M_PI;
         EXPECT_LT(aside ? spike : 0.0, 4.0) << "an ear at point " << j << " of curve " << c;
       }
   }

@@ -164,7 +164,8 @@ TEST(ImageMeshWarpFilter, ClosedImagesMeetAroundTheBack) {
   EXPECT_LT(seam, 0.03);
   EXPECT_LT(edge, 0.03);
   warp.filter->ClosedOff();
-  EXPECT_NEAR(at(warp.update(), 99, 40), at(output, 76, 40), 1e-6) << "repeated without";
+  output = warp.update();
+  EXPECT_EQ(at(output, 99, 40), at(output, 76, 40)) << "repeated without";
 }
 
 TEST(ImageMeshWarpFilter, WorksAgainOnlyWhenSomethingChanged) {

@@ -79,6 +79,15 @@ void chooseRow(QWidget& window, int row) {
   wait(1500);  // the camera flies there
 }
 
+/// A coefficient by region and column, from 1: "12:4".
+void clickCell(QWidget& window, const QString& cell) {
+  auto* table = window.findChild<QTableWidget*>("deformationCoefficients");
+  const int row = cell.section(':', 0, 0).toInt() - 1, column = cell.section(':', 1).toInt() - 1;
+  table->setCurrentCell(row, column);
+  emit table->cellClicked(row, column);
+  wait(500);
+}
+
 void apply(mien::StudioWindow& window, const QString& setting) {
   const QString key = setting.section('=', 0, 0), value = setting.section('=', 1);
   mien::FaceModel& model = window.model();
@@ -98,6 +107,7 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "dock") showDock(window, value);
   if (key == "press") press(window, value);
   if (key == "row") chooseRow(window, value.toInt());
+  if (key == "cell") clickCell(window, value);
   if (key == "choose") window.findChild<QComboBox*>(value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
   if (key == "measure") measure(window);
   if (key == "wait") wait(value.toInt());

@@ -1,0 +1,179 @@
+#include "CoefficientTable.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QHeaderView>
+#include <cmath>
+
+#include "DefaultRegions.h"
+#include "NumberText.h"
+#include "RangeDelegate.h"
+
+namespace mien {
+
+namespace {
+
+constexpr int coefficientCount = 12, rmsColumn = 12, allColumns = 13;
+constexpr double smaller = 0.85;                 // of the application's letters: 13 columns in half a window
+constexpr int lineHeight = 26, leastWidth = 44;  // pixels
+constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
+constexpr const char* units[] = {"1/pupil unit", "1/pupil unit", "1/pupil unit", "no unit", "no unit", "pupil units"};
+
+std::string coefficientName(int coefficient) {
+  return (coefficient < 6 ? "a" : "b") + std::to_string(coefficient % 6 + 1);
+}
+
+double valueOf(const DeformationTable& table, int region, int coefficient) {
+  return table.maps[region - 1].coefficients(coefficient / 6, coefficient % 6);
+}
+
+double deviationOf(const DeformationTable& mean, int region, int coefficient) {
+  return mean.deviations->at(region - 1)(coefficient / 6, coefficient % 6);
+}
+
+/// -1 below mean - sd, 1 above mean + sd, 0 between, the ends included.
+int sideOf(double difference, double deviation) {
+  return std::abs(difference) <= deviation ? 0 : difference < 0.0 ? -1 : 1;
+}
+
+QString sideText(int side) {
+  return side == 0  ? CoefficientTable::tr("within")
+         : side < 0 ? CoefficientTable::tr("below")
+                    : CoefficientTable::tr("above");
+}
+
+QString regionText(int region) {
+  return QString("%1 %2").arg(region).arg(QString::fromStdString(defaultRegions().name(region)));
+}
+
+}  // namespace
+
+CoefficientTable::CoefficientTable(QWidget* parent) : QTableWidget(DeformationTable::regionCount, allColumns, parent) {
+  setObjectName("deformationCoefficients");
+  setAccessibleName(tr("Coefficients of the 16 regions"));
+  setToolTip(tr("A click, or Return, shows a region on the face; Ctrl+C copies all coefficients as CSV"));
+  setEditTriggers(QAbstractItemView::NoEditTriggers);
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  setTabKeyNavigation(false);
+  setShowGrid(false);
+  setAlternatingRowColors(true);
+  setFrameShape(QFrame::NoFrame);
+  setItemDelegate(new RangeDelegate(this));
+  QFont small = font();
+  small.setPointSizeF(smaller * small.pointSizeF());
+  setFont(small);
+  addHeaders();
+  addCells();
+  auto* copy = new QAction(tr("Copy as CSV"), this);
+  copy->setObjectName("deformationCopy");
+  copy->setShortcut(QKeySequence::Copy);
+  copy->setShortcutContext(Qt::WidgetShortcut);
+  addAction(copy);
+  setContextMenuPolicy(Qt::ActionsContextMenu);
+  connect(copy, &QAction::triggered, this,
+          [this] { QApplication::clipboard()->setText(QString::fromStdString(text())); });
+}
+
+void CoefficientTable::addHeaders() {
+  for (int i = 0; i < coefficientCount; ++i) {
+    auto* header = new QTableWidgetItem(QString::fromStdString(coefficientName(i)));
+    header->setToolTip(tr("%1: factor of %2 in %3' (%4); the scale below a number is mean \u00b1 sd of the expression")
+                           .arg(header->text(), QString::fromUtf8(factors[i % 6]), i < 6 ? "x" : "y", units[i % 6]));
+    setHorizontalHeaderItem(i, header);
+  }
+  auto* rms = new QTableWidgetItem(tr("RMS"));
+  rms->setToolTip(tr("Root mean square of what the fit leaves in the region, in pupil units"));
+  setHorizontalHeaderItem(rmsColumn, rms);
+  for (int region = 1; region <= rowCount(); ++region) {
+    auto* header = new QTableWidgetItem(QString::number(region));
+    header->setToolTip(regionText(region));
+    setVerticalHeaderItem(region - 1, header);
+  }
+  horizontalHeader()->setMinimumSectionSize(leastWidth);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  horizontalHeader()->setHighlightSections(false);
+  verticalHeader()->setMinimumSectionSize(lineHeight);
+  verticalHeader()->setDefaultSectionSize(lineHeight);
+  verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+}
+
+void CoefficientTable::addCells() {
+  for (int row = 0; row < rowCount(); ++row)
+    for (int column = 0; column < allColumns; ++column) {
+      auto* cell = new QTableWidgetItem;
+      setItem(row, column, cell);
+    }
+}
+
+void CoefficientTable::show(const DeformationTable& table, const std::string& meanName, const DeformationTable& mean,
+                            const PresentTable::Fit* fit) {
+  table_ = table;
+  mean_ = mean;
+  meanName_ = meanName;
+  for (int region = 1; region <= rowCount(); ++region) {
+    for (int coefficient = 0; coefficient < coefficientCount; ++coefficient) fillCoefficient(region, coefficient);
+    fillFit(region, fit);
+  }
+  setColumnHidden(rmsColumn, !fit);
+}
+
+void CoefficientTable::fillCoefficient(int region, int coefficient) {
+  const double value = valueOf(table_, region, coefficient), difference = value - valueOf(mean_, region, coefficient);
+  const double deviation = deviationOf(mean_, region, coefficient);
+  const int side = sideOf(difference, deviation);
+  QTableWidgetItem* cell = item(region - 1, coefficient);
+  const QString arrow = side == 0 ? QString() : side < 0 ? QStringLiteral("\u25be") : QStringLiteral("\u25b4");
+  cell->setText(QString::number(value, 'f', 2).replace("-0.00", "0.00").replace('-', QChar(0x2212)) + arrow);
+  cell->setData(RangeDelegate::placeRole, deviation > 0.0 ? QVariant(difference / deviation) : QVariant());
+  QFont font = this->font();
+  font.setBold(side != 0);
+  cell->setFont(font);
+  cell->setData(Qt::AccessibleTextRole, tr("region %1, %2: %3, %4")
+                                            .arg(region)
+                                            .arg(QString::fromStdString(coefficientName(coefficient)))
+                                            .arg(value)
+                                            .arg(sideText(side)));
+}
+
+void CoefficientTable::fillFit(int region, const PresentTable::Fit* fit) {
+  if (!fit) return;
+  item(region - 1, rmsColumn)->setText(QString::number(fit->rms[region - 1], 'f', 3));
+  item(region - 1, rmsColumn)->setToolTip(tr("RMS of %1 points, in pupil units").arg(fit->points[region - 1]));
+}
+
+QString CoefficientTable::detail() const {
+  if (meanName_.empty() || currentRow() < 0) return tr("Choose a coefficient to read it with its range.");
+  const int region = chosenRegion();
+  const QString name = regionText(region);
+  const int coefficient = currentColumn();
+  if (coefficient >= coefficientCount) return name;
+  const double value = valueOf(table_, region, coefficient), mean = valueOf(mean_, region, coefficient);
+  const double deviation = deviationOf(mean_, region, coefficient);
+  const auto number = [](double x) { return QString::number(x, 'g', 4); };
+  return tr("%1: %2 = %3 (%4), %5 %6 \u00b1 %7 of %8")
+      .arg(name, QString::fromStdString(coefficientName(coefficient)), number(value), units[coefficient % 6],
+           sideText(sideOf(value - mean, deviation)), number(mean), number(deviation),
+           QString::fromStdString(meanName_));
+}
+
+std::string CoefficientTable::text() const {
+  if (meanName_.empty()) return {};
+  std::string text = "region,name,coefficient,value,mean_" + meanName_ + ",sd,range\n";
+  for (int region = 1; region <= rowCount(); ++region)
+    for (int i = 0; i < coefficientCount; ++i) {
+      const double value = valueOf(table_, region, i), mean = valueOf(mean_, region, i),
+                   deviation = deviationOf(mean_, region, i);
+      text += std::to_string(region) + "," + defaultRegions().name(region) + "," + coefficientName(i);
+      for (double number : {value, mean, deviation}) appendNumber(text += ",", number);
+      const int side = sideOf(value - mean, deviation);
+      text += side == 0 ? ",inside\n" : side < 0 ? ",below\n" : ",above\n";
+    }
+  return text;
+}
+
+QSize CoefficientTable::sizeHint() const {
+  return {allColumns * leastWidth + 30, 6 * lineHeight};
+}
+
+}  // namespace mien

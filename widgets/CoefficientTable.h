@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QTableWidget>
+#include <string>
+
+#include "DeformationTable.h"
+#include "PresentTable.h"
+
+namespace mien {
+
+/// A table's 16 x 12 coefficients, each with the range mean +- sd of an expression. Numbers outside carry an arrow,
+/// stand in bold and off the range on their scale. Ctrl+C copies all of it as CSV.
+class CoefficientTable : public QTableWidget {
+  Q_OBJECT
+ public:
+  explicit CoefficientTable(QWidget* parent = nullptr);
+
+  /// @param mean  with deviations
+  /// @param fit   how well the table was fitted; nullptr: it was not
+  void show(const DeformationTable& table, const std::string& meanName, const DeformationTable& mean,
+            const PresentTable::Fit* fit);
+
+  int chosenRegion() const { return currentRow() + 1; }  ///< 1 .. 16; 0: none
+
+  /// The chosen coefficient in words, with all digits.
+  QString detail() const;
+
+  /// CSV: region, name, coefficient, value, mean, sd, range (inside, above, below); empty before the first show().
+  std::string text() const;
+
+  QSize sizeHint() const override;
+
+ private:
+  void addHeaders();
+  void addCells();
+  void fillCoefficient(int region, int coefficient);
+  void fillFit(int region, const PresentTable::Fit* fit);
+
+  DeformationTable table_, mean_;
+  std::string meanName_;
+};
+
+}  // namespace mien

@@ -1,0 +1,253 @@
+#include "DeformationPanel.h"
+
+#include <QComboBox>
+#include <QDragEnterEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMimeData>
+#include <QToolButton>
+#include <QVariant>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "CoefficientTable.h"
+#include "DeformationChoice.h"
+#include "ExportButton.h"
+#include "FaceModel.h"
+#include "FaceView.h"
+#include "FigureView.h"
+#include "FitBar.h"
+#include "FlipBox.h"
+#include "LiveUpdate.h"
+#include "NamedTables.h"
+#include "PresentTable.h"
+#include "RecognitionFigure.h"
+#include "RegionOverlay.h"
+#include "SurfaceParameters.h"
+
+namespace mien {
+
+namespace {
+
+enum Shown { Present, Chosen };
+constexpr int nearestMean = 0;  // first entry of the means; the expressions follow
+
+QString droppedTable(const QMimeData* data) {
+  for (const QUrl& url : data->urls())
+    for (const char* ending : {".csv", ".fdt"})
+      if (url.isLocalFile() && url.toLocalFile().endsWith(ending, Qt::CaseInsensitive)) return url.toLocalFile();
+  return {};
+}
+
+QVBoxLayout* columnOf(QWidget* box) {
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  return column;
+}
+
+}  // namespace
+
+DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      present_(new PresentTable(model, this)),
+      choice_(new DeformationChoice(model, this)),
+      overlay_(new RegionOverlay(model, view, this)),
+      coefficients_(new CoefficientTable(this)),
+      figure_(new FigureView("deformationFigure", FigureView::Marker::Band, this)),
+      shown_(new QComboBox(this)),
+      mean_(new QComboBox(this)),
+      detail_(new QLabel(this)),
+      expression_(new QLabel(this)),
+      onFace_(new QToolButton(this)) {
+  setObjectName("deformationPanel");
+  setAcceptDrops(true);
+  describeControls();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 4, 8, 6);
+  column->setSpacing(4);
+  column->addWidget(controls());
+  column->addWidget(fitRow());
+  column->addWidget(new FlipBox(coefficientColumn(), expressionColumn(), 5, 2, this), 1);
+  connectControls();
+  new LiveUpdate(model, this, [this] { refresh(); });
+}
+
+DeformationPanel::~DeformationPanel() = default;
+
+void DeformationPanel::describeControls() {
+  onFace_->setObjectName("deformationRegions");
+  onFace_->setText(tr("Regions"));
+  onFace_->setCheckable(true);
+  onFace_->setFocusPolicy(Qt::TabFocus);
+  onFace_->setToolTip(tr("Colours and numbers the 16 regions on the face; again: the plain skin"));
+  shown_->setObjectName("deformationShown");
+  shown_->setAccessibleName(tr("Whose coefficients are shown"));
+  shown_->addItems({tr("Present face"), tr("Chosen table")});
+  shown_->setToolTip(
+      tr("The coefficients of the table fitted from A to the present face, or of the table that bends it"));
+  mean_->setObjectName("deformationMean");
+  mean_->setAccessibleName(tr("Expression whose range is shown"));
+  mean_->addItem(tr("nearest mean"));
+  for (const std::string& name : PresentTable::expressions()) mean_->addItem(QString::fromStdString(name));
+  mean_->setToolTip(tr("The expression whose mean \u00b1 standard deviation over 12 subjects is the acceptable range"));
+  detail_->setObjectName("deformationDetail");
+  expression_->setObjectName("deformationExpression");
+  expression_->setToolTip(
+      tr("The mean table that explains most of the movement from A to the present face, and its intensity"));
+  for (QLabel* label : {detail_, expression_}) {
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setMinimumWidth(1);
+  }
+  detail_->setProperty("faint", true);
+  expression_->setProperty("heading", true);
+  figure_->setAccessibleName(tr("Movement that each expression does not explain"));
+  figure_->setToolTip(
+      tr("RMS of the movement that each mean table does not explain, in pupil units: the shortest bar is nearest. "
+         "Click a bar, or use the arrow keys, to see that expression's range"));
+}
+
+QWidget* DeformationPanel::controls() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(choice_, 1);
+  row->addSpacing(10);
+  row->addWidget(onFace_);
+  row->addWidget(new ExportButton(
+      "deformationExport", model_, [this] { return figure(); }, [this] { return coefficients_->text(); }, box));
+  return box;
+}
+
+QWidget* DeformationPanel::fitRow() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(new FitBar(model_, present_, box), 1);
+  row->addWidget(shown_);
+  row->addWidget(new QLabel(tr("against"), box));
+  row->addWidget(mean_);
+  return box;
+}
+
+QWidget* DeformationPanel::coefficientColumn() {
+  auto* box = new QWidget(this);
+  auto* column = columnOf(box);
+  column->addWidget(coefficients_, 1);
+  column->addWidget(detail_);
+  return box;
+}
+
+QWidget* DeformationPanel::expressionColumn() {
+  auto* box = new QWidget(this);
+  auto* column = columnOf(box);
+  column->addWidget(expression_);
+  column->addWidget(figure_, 1);
+  return box;
+}
+
+void DeformationPanel::connectControls() {
+  const auto chosen = QOverload<int>::of(&QComboBox::currentIndexChanged);
+  connect(shown_, chosen, this, &DeformationPanel::showCoefficients);
+  connect(mean_, chosen, this, [this] {
+    showExpression();
+    showCoefficients();
+  });
+  connect(present_, &PresentTable::changed, this, [this] {
+    showExpression();
+    showCoefficients();
+  });
+  connect(figure_, &FigureView::picked, this, [this](double x) {
+    mean_->setCurrentIndex(std::clamp(static_cast<int>(std::lround(x)) + 1, 1, mean_->count() - 1));
+  });
+  connect(figure_, &FigureView::stepped, this, [this](int steps) {
+    const int from = mean_->currentIndex() == nearestMean ? nearest() + 1 : mean_->currentIndex();
+    mean_->setCurrentIndex(std::clamp(from + steps, 1, mean_->count() - 1));
+  });
+  connect(coefficients_, &QTableWidget::currentCellChanged, this, [this] { showRegion(false); });
+  connect(coefficients_, &QTableWidget::cellClicked, this, [this] { showRegion(true); });
+  connect(coefficients_, &QTableWidget::cellActivated, this, [this] { showRegion(true); });
+  connect(onFace_, &QToolButton::clicked, this, [this](bool on) {
+    overlay_->emphasise(0);
+    on ? overlay_->show() : overlay_->hide();
+    onFace_->setChecked(overlay_->isShown());
+  });
+  connect(overlay_, &RegionOverlay::shownChanged, onFace_, &QToolButton::setChecked);
+}
+
+void DeformationPanel::refresh() {
+  present_->request();
+  if (overlay_->isShown()) overlay_->show();
+}
+
+/// The nearest expression, from 0; the first when nothing moves.
+int DeformationPanel::nearest() const {
+  const auto& fit = present_->fit();
+  return fit && fit->moves() && !fit->scores.empty() ? fit->scores.front().expression : 0;
+}
+
+Figure DeformationPanel::figure() const {
+  const auto& fit = present_->fit();
+  if (!fit || !fit->fault.isEmpty() || !fit->moves()) return {};
+  Figure figure = recognitionFigure(PresentTable::expressions(), fit->scores);
+  figure.note = parameterText(model_->state().surface);
+  return figure;
+}
+
+void DeformationPanel::showExpression() {
+  Figure shown = figure();
+  const auto& fit = present_->fit();
+  expression_->setVisible(!shown.panels.empty());
+  if (shown.panels.empty()) {
+    figure_->setHint(fit ? fit->fault.isEmpty() ? tr("The face does not move: there is no expression to name.")
+                                                : fit->fault
+                         : QString());
+  } else {
+    const RecognitionScore& score = fit->scores.front();
+    expression_->setText(tr("Nearest: %1, intensity %2 %")
+                             .arg(QString::fromStdString(PresentTable::expressions()[score.expression]))
+                             .arg(100.0 * score.intensity, 0, 'f', 0));
+    shown.title.clear();
+    shown.caption.clear();
+    shown.note.clear();
+    shown.panels.front().x.title.clear();
+  }
+  figure_->setFigure(shown);
+  figure_->setMarked(mean_->currentIndex() == nearestMean ? nearest() : mean_->currentIndex() - 1);
+}
+
+void DeformationPanel::showCoefficients() {
+  const bool ofPresent = shown_->currentIndex() == Present;
+  const auto& fit = present_->fit();
+  if (!fit) return;
+  DeformationTable table = fit->table;
+  const std::string& chosen = model_->state().deformation.table;
+  if (!ofPresent) table = DeformationTable();                                           // without one nothing moves
+  if (!ofPresent && !chosen.empty() && !readNamedTable(chosen, table).empty()) return;  // the model has said why
+  const int mean = mean_->currentIndex() == nearestMean ? nearest() : mean_->currentIndex() - 1;
+  const std::string& name = PresentTable::expressions()[mean];
+  coefficients_->show(table, name, *namedTable(name), ofPresent ? &*fit : nullptr);
+  detail_->setText(coefficients_->detail());
+}
+
+/// @param asked  by the user, for this region; else a region that is on the face already gives way to the next
+void DeformationPanel::showRegion(bool asked) {
+  detail_->setText(coefficients_->detail());
+  if (!asked && !overlay_->isShown()) return;
+  overlay_->emphasise(coefficients_->chosenRegion());
+  if (!overlay_->isShown()) overlay_->show();
+}
+
+void DeformationPanel::dragEnterEvent(QDragEnterEvent* event) {
+  if (!droppedTable(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void DeformationPanel::dropEvent(QDropEvent* event) {
+  choice_->open(droppedTable(event->mimeData()));
+  event->acceptProposedAction();
+}
+
+}  // namespace mien

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QWidget>
+
+#include "Figure.h"
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace mien {
+
+class CoefficientTable;
+class DeformationChoice;
+class FaceModel;
+class FaceView;
+class FigureView;
+class PresentTable;
+class RegionOverlay;
+
+/// What does a facial deformation table do to the face, and which table is the face as it stands? Applies a table; fits
+/// one from two states, names the expression, and shows its coefficients beside the range of that expression.
+class DeformationPanel : public QWidget {
+  Q_OBJECT
+ public:
+  DeformationPanel(FaceModel* model, FaceView* view, QWidget* parent = nullptr);
+  ~DeformationPanel() override;
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  QWidget* controls();
+  QWidget* fitRow();
+  QWidget* coefficientColumn();
+  QWidget* expressionColumn();
+  void describeControls();
+  void connectControls();
+  void refresh();
+  void showExpression();
+  void showCoefficients();
+  void showRegion(bool asked);
+  int nearest() const;
+  Figure figure() const;
+
+  FaceModel* model_;
+  PresentTable* present_;
+  DeformationChoice* choice_;
+  RegionOverlay* overlay_;
+  CoefficientTable* coefficients_;
+  FigureView* figure_;
+  QComboBox *shown_, *mean_;
+  QLabel *detail_, *expression_;
+  QToolButton* onFace_;
+};
+
+}  // namespace mien

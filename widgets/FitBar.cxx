@@ -1,0 +1,152 @@
+#include "FitBar.h"
+
+#include <vtkFDTWriter.h>
+#include <vtkNew.h>
+#include <vtkTable.h>
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVariant>
+#include <algorithm>
+#include <filesystem>
+
+#include "FDTData.h"
+#include "FaceModel.h"
+#include "FaceMotion.h"
+#include "FaceStateText.h"
+#include "PipelineErrors.h"
+#include "PresentTable.h"
+
+namespace mien {
+
+namespace {
+
+/// Appears under its name once it is whole. @return nothing, or what is wrong
+QString writeFit(const DeformationTable& table, const std::string& comment, const QString& fileName) {
+  const QString part = fileName + ".part";
+  vtkNew<vtkTable> data;
+  vtkNew<vtkFDTWriter> writer;
+  PipelineErrors errors;
+  errors.observe(writer);
+  writeFDT(table, data);
+  writer->SetInputData(data);
+  writer->SetFileName(part.toStdString().c_str());
+  writer->SetComment(comment);
+  writer->Write();
+  std::error_code failure;
+  if (errors.first().empty()) std::filesystem::rename(part.toStdString(), fileName.toStdString(), failure);
+  if (errors.first().empty() && !failure) return {};
+  QFile::remove(part);
+  return FitBar::tr("%1: it cannot be written; give a file in a folder that exists and may be written to")
+      .arg(fileName);
+}
+
+}  // namespace
+
+FitBar::FitBar(FaceModel* model, PresentTable* present, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      present_(present),
+      pin_(new QToolButton(this)),
+      use_(new QToolButton(this)),
+      save_(new QToolButton(this)),
+      status_(new QLabel(this)) {
+  describeControls();
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(pin_);
+  row->addWidget(use_);
+  row->addWidget(save_);
+  row->addWidget(status_, 1);
+  connect(pin_, &QToolButton::toggled, present_, [this](bool on) { on ? present_->pin() : present_->unpin(); });
+  connect(use_, &QToolButton::clicked, this, &FitBar::use);
+  connect(save_, &QToolButton::clicked, this, &FitBar::ask);
+  connect(present_, &PresentTable::changed, this, &FitBar::showFit);
+  showFit();
+}
+
+void FitBar::describeControls() {
+  const auto describe = [](QToolButton* button, const QString& name, const QString& text, const QString& tip) {
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setProperty("framed", true);
+    button->setFocusPolicy(Qt::TabFocus);
+  };
+  describe(pin_, "deformationPin", tr("Pin as A"),
+           tr("The neutral face A that tables are fitted from: pressed, the face as it stands now (its FAPs, without a "
+              "table); else the face "
+              "at rest"));
+  pin_->setCheckable(true);
+  describe(use_, "deformationUse", tr("Use fit"),
+           tr("The face goes back to A, and the table fitted from A to the present face bends it. Kept for this "
+              "session; Save keeps it"));
+  describe(save_, "deformationSave", tr("Save..."),
+           tr("Writes the table fitted from A to the present face as .csv, in pupil units"));
+  status_->setObjectName("deformationStatus");
+  status_->setProperty("faint", true);
+  status_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  status_->setMinimumWidth(1);
+}
+
+void FitBar::showFit() {
+  const auto& fit = present_->fit();
+  const bool moves = fit && fit->fault.isEmpty() && fit->moves();
+  use_->setEnabled(moves);
+  save_->setEnabled(moves);
+  status_->setToolTip(tr(
+      "How well 16 quadratic maps from A to the present face fit: the root mean square of what is left, in pupil units "
+      "(half the distance of the pupils)"));
+  if (!fit) return status_->setText(tr("The fit is being computed."));
+  if (!fit->fault.isEmpty()) return status_->setText(fit->fault);
+  if (!moves) return status_->setText(tr("The present face is A; move it to fit a table."));
+  const auto worst = std::max_element(fit->rms.begin(), fit->rms.end());
+  status_->setText(tr("RMS %1, at most %2 (region %3) pupil units")
+                       .arg(fit->totalRms, 0, 'f', 4)
+                       .arg(*worst, 0, 'f', 4)
+                       .arg(worst - fit->rms.begin() + 1));
+  if (!fit->warning.isEmpty()) status_->setToolTip(fit->warning);
+}
+
+void FitBar::ask() {
+  QString name = QFileDialog::getSaveFileName(window(), tr("Save the fitted table"), QString(),
+                                              tr("Facial deformation table (*.csv)"));
+  if (name.isEmpty()) return;
+  if (QFileInfo(name).suffix().isEmpty()) name += ".csv";
+  save(name);
+}
+
+bool FitBar::write(const QString& fileName) {
+  const auto& fit = present_->fit();
+  if (!fit || !fit->fault.isEmpty()) return false;
+  const std::string origin = present_->isPinned() ? "a pinned face" : "the face at rest";
+  const std::string comment = "Facial deformation table in pupil units, fitted by Mien Studio from " + origin +
+                              " to this one:\n" + writeFaceState(model_->state());
+  const QString fault = writeFit(fit->table, comment, fileName);
+  if (!fault.isEmpty()) emit model_->failed(fault, QString());
+  return fault.isEmpty();
+}
+
+bool FitBar::save(const QString& fileName) {
+  const bool written = write(fileName);
+  if (written) emit model_->remarked(tr("%1 was written.").arg(QFileInfo(fileName).fileName()), fileName);
+  return written;
+}
+
+/// On top of what it was fitted to the table would move the face twice.
+void FitBar::use() {
+  const QString fileName = folder_.filePath(QString("fit-%1.csv").arg(++used_));
+  if (!write(fileName)) return;
+  const std::map<int, double> faps = present_->neutralFAPs();
+  model_->change([&](FaceState& state) {
+    state = FaceMotion::neutralOf(state);
+    state.fapValues = faps;
+    state.deformation.table = fileName.toStdString();
+  });
+}
+
+}  // namespace mien

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QTemporaryDir>
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace mien {
+
+class FaceModel;
+class PresentTable;
+
+/// A table from two states of the face: pins the neutral one, says how well the fit is, uses it and saves it.
+class FitBar : public QWidget {
+  Q_OBJECT
+ public:
+  FitBar(FaceModel* model, PresentTable* present, QWidget* parent = nullptr);
+
+  /// Writes the fit as a .csv; the message bar says what went wrong. @return whether it was written
+  bool save(const QString& fileName);
+
+ private:
+  void describeControls();
+  bool write(const QString& fileName);
+  void ask();
+  void use();
+  void showFit();
+
+  FaceModel* model_;
+  PresentTable* present_;
+  QToolButton *pin_, *use_, *save_;
+  QLabel* status_;
+  QTemporaryDir folder_;  ///< of fits that are used and not saved
+  int used_ = 0;
+};
+
+}  // namespace mien

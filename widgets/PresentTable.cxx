@@ -1,0 +1,121 @@
+#include "PresentTable.h"
+
+#include <vtkFDTFitFilter.h>
+#include <vtkSmartPointer.h>
+#include <vtkStructuredGrid.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
+
+#include <memory>
+
+#include "BackgroundTask.h"
+#include "DefaultRegions.h"
+#include "FAPFrame.h"
+#include "FDTData.h"
+#include "FaceModel.h"
+#include "FaceMotion.h"
+#include "NamedTables.h"
+#include "PipelineErrors.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double leastMovement = 0.01;  // pupil units, 0.3 mm: below it the nearest expression means nothing
+
+std::vector<DeformationTable> means() {
+  std::vector<DeformationTable> tables;
+  for (const std::string& name : PresentTable::expressions()) tables.push_back(*namedTable(name));
+  return tables;
+}
+
+PresentTable::Fit fitBetween(vtkStructuredGrid* before, vtkStructuredGrid* after) {
+  vtkNew<vtkFDTFitFilter> filter;
+  PipelineErrors errors;
+  errors.observe(filter);
+  filter->SetInputData(before);
+  filter->SetExpressionData(after);
+  filter->Update();
+  PresentTable::Fit fit;
+  std::string fault = errors.first();
+  if (fault.empty()) fault = readFDT(filter->GetOutput(), fit.table);
+  if (fault.empty()) fault = recognise(fit.table, defaultRegions(), means(), fit.scores);
+  fit.fault = QString::fromStdString(fault);
+  if (!fault.empty()) return fit;
+  for (int i = 0; i < DeformationTable::regionCount; ++i) {
+    fit.rms[i] = filter->GetOutput()->GetValueByName(i, "rms").ToDouble();
+    fit.points[i] = filter->GetOutput()->GetValueByName(i, "points").ToInt();
+  }
+  fit.totalRms = filter->GetRMS();
+  fit.warning = QString::fromStdString(filter->GetWarning());
+  return fit;
+}
+
+/// A copy of its own for another thread.
+vtkSmartPointer<vtkStructuredGrid> copyOf(vtkStructuredGrid* grid) {
+  auto copy = vtkSmartPointer<vtkStructuredGrid>::New();
+  copy->DeepCopy(grid);
+  return copy;
+}
+
+}  // namespace
+
+bool PresentTable::Fit::moves() const {
+  return table.largestDisplacement >= leastMovement;
+}
+
+PresentTable::PresentTable(FaceModel* model, QObject* parent)
+    : QObject(parent), model_(model), task_(new BackgroundTask(this)) {}
+
+/// The task is ended first: what it still delivers must find this object whole.
+PresentTable::~PresentTable() {
+  delete task_;
+}
+
+const std::vector<std::string>& PresentTable::expressions() {
+  static const auto names = [] {
+    std::vector<std::string> result;
+    for (const std::string& name : tableNames())
+      if (namedTable(name)->deviations) result.push_back(name);
+    return result;
+  }();
+  return names;
+}
+
+/// What expressions and an animation add is kept as FAPs, so that it stays when these go on.
+void PresentTable::pin() {
+  std::map<int, double> faps;
+  for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
+    if (const double value = model_->shownFAP(fap); value != 0.0) faps[fap] = value;
+  pinned_ = faps;
+  request();
+}
+
+void PresentTable::unpin() {
+  pinned_.reset();
+  request();
+}
+
+void PresentTable::request() {
+  FaceState state = FaceMotion::neutralOf(model_->state());
+  state.fapValues = neutralFAPs();
+  neutral_.setState(state);
+  const std::string fault = neutral_.update();
+  if (!fault.empty()) {
+    fit_.emplace();
+    fit_->fault = QString::fromStdString(fault);
+    emit changed();
+    return;
+  }
+  const auto before = copyOf(neutral_.grid()), after = copyOf(model_->pipeline().grid());
+  const auto work = [this, before, after](const BackgroundTask::Progress&) -> std::function<void()> {
+    const auto fit = std::make_shared<Fit>(fitBetween(before, after));
+    return [this, fit] {
+      fit_ = *fit;
+      emit changed();
+    };
+  };
+  task_->start(work, BackgroundTask::Before::Finishes);
+}
+
+}  // namespace mien

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "DeformationTable.h"
+#include "FacePipeline.h"
+#include "TableRecognition.h"
+
+namespace mien {
+
+class BackgroundTask;
+class FaceModel;
+
+/// Which table moves the neutral face A to the present one, and which expression is that? Fitted in the background.
+///
+/// A is the face at rest, or one that was pinned; always without a table, and of the present surface and mesh.
+class PresentTable : public QObject {
+  Q_OBJECT
+ public:
+  struct Fit {
+    DeformationTable table;
+    std::array<double, DeformationTable::regionCount> rms{};  ///< of what is left in each region, pupil units
+    std::array<int, DeformationTable::regionCount> points{};
+    double totalRms = 0.0;                 ///< pupil units
+    std::vector<RecognitionScore> scores;  ///< against expressions(), nearest first
+    QString warning;                       ///< names sparse regions
+    QString fault;                         ///< why there is no table; the rest is empty then
+
+    bool moves() const;  ///< more than rounding and measuring: else there is nothing to name
+  };
+
+  PresentTable(FaceModel* model, QObject* parent);
+  ~PresentTable() override;
+
+  /// Names of the mean tables that faces are compared with.
+  static const std::vector<std::string>& expressions();
+
+  void pin();    ///< A is the present face from now on
+  void unpin();  ///< A is the face at rest
+  bool isPinned() const { return pinned_.has_value(); }
+
+  /// The FAPs of A; of a face at rest none.
+  std::map<int, double> neutralFAPs() const { return pinned_.value_or(std::map<int, double>()); }
+
+  void request();  ///< fits anew; the last request of several wins
+  const std::optional<Fit>& fit() const { return fit_; }
+
+ signals:
+  void changed();
+
+ private:
+  FaceModel* model_;
+  BackgroundTask* task_;
+  FacePipeline neutral_;
+  std::optional<std::map<int, double>> pinned_;
+  std::optional<Fit> fit_;
+};
+
+}  // namespace mien

@@ -1,0 +1,217 @@
+#include "RegionOverlay.h"
+
+#include <vtkBillboardTextActor3D.h>
+#include <vtkFDTDeformationFilter.h>
+#include <vtkFDTReader.h>
+#include <vtkFacialRegionFilter.h>
+#include <vtkGeometryFilter.h>
+#include <vtkPDEFaceFilter.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+#include <vtkReverseSense.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <QEvent>
+#include <cmath>
+
+#include "FaceModel.h"
+#include "FaceOverlay.h"
+#include "FaceView.h"
+#include "SurfaceParameters.h"
+#include "Theme.h"
+
+namespace mien {
+
+namespace {
+
+constexpr int fineRows = 218, fineColumns = 160;  // borders of regions are then finer than a number's line
+constexpr const char* colorArray = "RegionColor";
+constexpr double lift = 8.0;  // mm by which a number stands before the skin, or its corners would sink into a cheek
+constexpr double leastForwards = 0.3;  // z of the unit normal
+constexpr double paleness = 0.75;      // of regions that do not stand out
+
+// Of region 1 .. 16; neighbours differ, mirrored regions are alike where they do not touch. After Okabe and Ito,
+// lighter.
+const QColor regionColors[] = {"#7cc3ea", "#d59abd", "#f2e470", "#6fc3a4", "#6fc3a4", "#d59abd", "#d59abd", "#7cc3ea",
+                               "#f2e470", "#efb65a", "#efb65a", "#d59abd", "#f2e470", "#6fc3a4", "#6fc3a4", "#7cc3ea"};
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  return QColor::fromRgbF(a.redF() + share * (b.redF() - a.redF()), a.greenF() + share * (b.greenF() - a.greenF()),
+                          a.blueF() + share * (b.blueF() - a.blueF()));
+}
+
+/// The points of a skin that has been through vtkFacialRegionFilter.
+struct RegionPoints {
+  vtkPolyData* skin;
+  vtkDataArray *regions, *coverage, *normals;
+
+  explicit RegionPoints(vtkPolyData* data)
+      : skin(data),
+        regions(data->GetPointData()->GetArray("Region")),
+        coverage(data->GetPointData()->GetArray("RegionCoverage")),
+        normals(data->GetPointData()->GetArray("Normals")) {}
+
+  int region(vtkIdType point) const { return static_cast<int>(regions->GetComponent(point, 0)); }
+  double share(vtkIdType point) const { return coverage->GetComponent(point, 0); }
+
+  /// How much a point looks forwards: cheeks have most of their points at the side of the head, where no number is
+  /// read.
+  double weight(vtkIdType point) const {
+    const double forwards = normals ? normals->GetComponent(point, 2) : 1.0;
+    return forwards < leastForwards ? 0.0 : share(point) * forwards * forwards * forwards;
+  }
+
+  /// For each region its point nearest to the middle of those that look forwards; -1 where it has none.
+  std::array<vtkIdType, 16> middles() const {
+    std::array<std::array<double, 4>, 16> sums{};
+    std::array<double, 16> least;
+    std::array<vtkIdType, 16> nearest;
+    least.fill(1e300);
+    nearest.fill(-1);
+    const auto visit = [this](const auto& at) {
+      double place[3];
+      for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
+        if (weight(i) == 0.0) continue;
+        skin->GetPoint(i, place);
+        at(i, region(i) - 1, place);
+      }
+    };
+    visit([&](vtkIdType point, int index, const double* place) {
+      for (int axis = 0; axis < 3; ++axis) sums[index][axis] += weight(point) * place[axis];
+      sums[index][3] += weight(point);
+    });
+    visit([&](vtkIdType point, int index, const double* place) {
+      double distance = 0.0;
+      for (int axis = 0; axis < 3; ++axis) distance += std::pow(place[axis] - sums[index][axis] / sums[index][3], 2);
+      if (distance >= least[index]) return;
+      least[index] = distance;
+      nearest[index] = point;
+    });
+    return nearest;
+  }
+};
+
+}  // namespace
+
+RegionOverlay::RegionOverlay(FaceModel* model, FaceView* view, QObject* parent)
+    : QObject(parent), model_(model), view_(view), overlay_(new FaceOverlay(view, this)) {
+  fine_->SetResolution(fineRows, fineColumns);
+  regions_->SetInputConnection(fine_->GetOutputPort());
+  deformation_->SetInputConnection(regions_->GetOutputPort());
+  deformation_->SetTableConnection(table_->GetOutputPort());
+  outwards_->SetInputConnection(geometry_->GetOutputPort());
+  for (vtkAlgorithm* algorithm :
+       std::initializer_list<vtkAlgorithm*>{fine_, regions_, table_, deformation_, geometry_, outwards_})
+    errors_.observe(algorithm);
+  for (size_t i = 0; i < numbers_.size(); ++i) {
+    numbers_[i]->SetInput(std::to_string(i + 1).c_str());
+    vtkTextProperty* text = numbers_[i]->GetTextProperty();
+    text->SetJustificationToCentered();
+    text->SetVerticalJustificationToCentered();
+    text->SetColor(0.06, 0.08, 0.1);
+    text->SetBold(true);
+  }
+  view_->installEventFilter(this);
+  connect(overlay_, &FaceOverlay::shownChanged, this, [this](bool shown) {
+    if (!shown) removeNumbers();
+    emit shownChanged(shown);
+  });
+}
+
+RegionOverlay::~RegionOverlay() = default;
+
+bool RegionOverlay::isShown() const {
+  return overlay_->isShown();
+}
+
+void RegionOverlay::hide() {
+  overlay_->hide();
+}
+
+/// The regions are those of the face before a table, as the deformation takes them.
+std::string RegionOverlay::build() {
+  const FaceDeformation& chosen = model_->state().deformation;
+  vtkNew<vtkPolyData> curves;
+  curves->ShallowCopy(model_->pipeline().curves()->GetOutputDataObject(0));
+  errors_.clear();
+  fine_->SetInputData(curves);
+  setParameters(model_->state().surface, fine_);
+  table_->SetFileName(chosen.table.empty() ? nullptr : chosen.table.c_str());
+  deformation_->SetStrength(chosen.strength);
+  deformation_->SetSmooth(chosen.smooth);
+  vtkAlgorithm* skin = regions_;
+  if (!chosen.table.empty()) skin = deformation_;
+  geometry_->SetInputConnection(skin->GetOutputPort());
+  outwards_->Update();
+  return errors_.first();
+}
+
+void RegionOverlay::show() {
+  const std::string fault = build();
+  if (fault.empty()) return paint();
+  hide();
+  emit model_->failed(QString::fromStdString(fault), tr("The regions cannot be shown."));
+}
+
+void RegionOverlay::emphasise(int region) {
+  if (region == region_) return;
+  region_ = region;
+  if (isShown()) paint();
+}
+
+void RegionOverlay::paint() {
+  vtkNew<vtkPolyData> skin;
+  skin->ShallowCopy(outwards_->GetOutput());
+  color(skin);
+  overlay_->showColors(skin, colorArray);
+  placeNumbers(skin);
+}
+
+void RegionOverlay::color(vtkPolyData* skin) const {
+  std::array<QColor, 16> shown;
+  const QColor plain = Theme::current().skin;
+  for (int i = 0; i < 16; ++i)
+    shown[i] = mixed(regionColors[i], plain, region_ == 0 || region_ == i + 1 ? 0.0 : paleness);
+  const RegionPoints points(skin);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetName(colorArray);
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(skin->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
+    const QColor color = mixed(plain, shown[points.region(i) - 1], points.share(i));
+    const int channels[] = {color.red(), color.green(), color.blue()};
+    for (int channel = 0; channel < 3; ++channel) colors->SetComponent(i, channel, channels[channel]);
+  }
+  skin->GetPointData()->AddArray(colors);
+}
+
+void RegionOverlay::placeNumbers(vtkPolyData* skin) {
+  vtkDataArray* normals = skin->GetPointData()->GetArray("Normals");
+  const std::array<vtkIdType, 16> middles = RegionPoints(skin).middles();
+  removeNumbers();
+  for (int i = 0; i < 16; ++i) {
+    const vtkIdType point = middles[i];
+    if (point < 0) continue;
+    double place[3];
+    skin->GetPoint(point, place);
+    for (int axis = 0; axis < 3; ++axis)
+      place[axis] += lift * (normals ? normals->GetComponent(point, axis) : axis == 2);
+    numbers_[i]->SetPosition(place);
+    numbers_[i]->GetTextProperty()->SetFontSize(region_ == i + 1 ? 20 : 14);
+    view_->renderer()->AddActor(numbers_[i]);
+  }
+  view_->redraw();
+}
+
+void RegionOverlay::removeNumbers() {
+  for (const auto& number : numbers_) view_->renderer()->RemoveActor(number);
+}
+
+bool RegionOverlay::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && isShown()) paint();
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace mien
