@@ -1,11 +1,10 @@
 #include "AnimationPlayer.h"
 
-#include "FaceModel.h"
-
 #include <QTimer>
-
 #include <algorithm>
 #include <cmath>
+
+#include "FaceModel.h"
 
 namespace mien {
 
@@ -27,9 +26,13 @@ AnimationPlayer::AnimationPlayer(FaceModel* model, QObject* parent)
   connect(model_, &FaceModel::updated, this, &AnimationPlayer::measureRate);
 }
 
-bool AnimationPlayer::hasRange() const { return begin_ > 0 || end_ + 1 < model_->frameCount(); }
+bool AnimationPlayer::hasRange() const {
+  return begin_ > 0 || end_ + 1 < model_->frameCount();
+}
 
-void AnimationPlayer::resetRange() { setRange(0, model_->frameCount() - 1); }
+void AnimationPlayer::resetRange() {
+  setRange(0, model_->frameCount() - 1);
+}
 
 void AnimationPlayer::setRange(int begin, int end) {
   const int last = std::max(0, model_->frameCount() - 1);

@@ -27,7 +27,7 @@ class AnimationPlayer : public QObject {
   void pause();
   void setPlaying(bool playing) { playing ? play() : pause(); }
   void setLoop(bool loop) { loops_ = loop; }
-  void seek(double frame);  ///< goes on from there while playing
+  void seek(double frame);            ///< goes on from there while playing
   void setRange(int begin, int end);  ///< frames from 0, in either order; brought to the nearer end when outside
   void setSpeed(double speed);        ///< multiple of the file's rate, above 0; default 1
 

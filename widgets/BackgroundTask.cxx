@@ -27,10 +27,12 @@ void BackgroundTask::launch(const Work& work) {
   if (begins) emit runningChanged(true);
   thread_ = std::thread([this, work] {
     const std::function<void()> deliver = work([this](double share) {
-      QMetaObject::invokeMethod(this, [this, share] { emit progressed(static_cast<int>(100.0 * share)); }, Qt::QueuedConnection);
+      QMetaObject::invokeMethod(
+          this, [this, share] { emit progressed(static_cast<int>(100.0 * share)); }, Qt::QueuedConnection);
       return !cancelled_;
     });
-    QMetaObject::invokeMethod(this, [this, deliver] { end(deliver); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, deliver] { end(deliver); }, Qt::QueuedConnection);
   });
 }
 

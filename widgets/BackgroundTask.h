@@ -1,14 +1,14 @@
 #pragma once
 
 #include <QObject>
-
 #include <atomic>
 #include <functional>
 #include <thread>
 
 namespace mien {
 
-/// One piece of work at a time off the GUI thread: with progress, cancelled at any time, and harmless when its owner goes away.
+/// One piece of work at a time off the GUI thread: with progress, cancelled at any time, and harmless when its owner
+/// goes away.
 class BackgroundTask : public QObject {
   Q_OBJECT
  public:
@@ -21,8 +21,8 @@ class BackgroundTask : public QObject {
   ~BackgroundTask() override;  ///< cancels and waits for the end of the present step
 
   enum class Before {
-    Ends,      ///< work that is still going on is cancelled
-    Finishes   ///< and delivered first; of several that wait only the last is done
+    Ends,     ///< work that is still going on is cancelled
+    Finishes  ///< and delivered first; of several that wait only the last is done
   };
 
   void start(const Work& work, Before before = Before::Ends);

@@ -1,11 +1,11 @@
 #include "CameraFlight.h"
 
-#include "RenderView.h"
-
 #include <vtkCamera.h>
 #include <vtkMath.h>
 
 #include <cmath>
+
+#include "RenderView.h"
 
 namespace mien {
 
@@ -55,7 +55,8 @@ void CameraFlight::flyTo(const Vector& focus, const Vector& direction, double ex
 
 void CameraFlight::show(double share) {
   if (to_.distance <= 0.0) return;  // a value set before the first flight
-  const Vector focus = mixed(from_.focus, to_.focus, share), direction = normalized(mixed(from_.direction, to_.direction, share));
+  const Vector focus = mixed(from_.focus, to_.focus, share),
+               direction = normalized(mixed(from_.direction, to_.direction, share));
   view_->placeCamera(focus, direction, from_.distance + share * (to_.distance - from_.distance));
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QVariantAnimation>
-
 #include <array>
 
 namespace mien {

@@ -1,17 +1,5 @@
 #include "ContinuityPanel.h"
 
-#include "ContinuityTable.h"
-#include "ExportButton.h"
-#include "FaceModel.h"
-#include "FaceScheme.h"
-#include "FaceView.h"
-#include "FigureView.h"
-#include "FlipBox.h"
-#include "LiveUpdate.h"
-#include "SeamMeasureKind.h"
-#include "SurfaceParameters.h"
-#include "TableText.h"
-
 #include <vtkGeometryFilter.h>
 #include <vtkPDEFaceFilter.h>
 #include <vtkPointData.h>
@@ -25,9 +13,20 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-
 #include <algorithm>
 #include <cmath>
+
+#include "ContinuityTable.h"
+#include "ExportButton.h"
+#include "FaceModel.h"
+#include "FaceScheme.h"
+#include "FaceView.h"
+#include "FigureView.h"
+#include "FlipBox.h"
+#include "LiveUpdate.h"
+#include "SeamMeasureKind.h"
+#include "SurfaceParameters.h"
+#include "TableText.h"
 
 namespace mien {
 
@@ -57,10 +56,19 @@ double roundedUp(double value) {
 }  // namespace
 
 ContinuityPanel::ContinuityPanel(FaceModel* model, FaceView* view, QWidget* parent)
-    : QWidget(parent), model_(model), view_(view), table_(new ContinuityTable(this)),
-      figure_(new FigureView("continuityFigure", FigureView::Marker::Line, this)), overlay_(new FaceOverlay(view, this)),
-      flight_(new CameraFlight(view, this)), rows_(new QComboBox(this)), part_(new QComboBox(this)), measure_(new QComboBox(this)),
-      onFace_(new QComboBox(this)), schemes_(faceSchemes().size()), faults_(faceSchemes().size()) {
+    : QWidget(parent),
+      model_(model),
+      view_(view),
+      table_(new ContinuityTable(this)),
+      figure_(new FigureView("continuityFigure", FigureView::Marker::Line, this)),
+      overlay_(new FaceOverlay(view, this)),
+      flight_(new CameraFlight(view, this)),
+      rows_(new QComboBox(this)),
+      part_(new QComboBox(this)),
+      measure_(new QComboBox(this)),
+      onFace_(new QComboBox(this)),
+      schemes_(faceSchemes().size()),
+      faults_(faceSchemes().size()) {
   setObjectName("continuityPanel");
   errors_.observe(fine_);
   describeControls();
@@ -90,8 +98,9 @@ void ContinuityPanel::describeControls() {
   measure_->setToolTip(tr("What the profile shows along v, and the seams' colours on the face"));
   onFace_->setObjectName("continuityFace");
   onFace_->addItems({tr("Skin"), tr("Seams"), tr("Mean curvature"), tr("Gaussian curvature"), tr("Zebra stripes")});
-  onFace_->setToolTip(tr("What the face shows: the measure along its seams, curvatures H (1/mm) or K (1/mm\u00b2), or stripes of equal "
-                         "slope, which break where the surface has a crease and have corners where its curvature jumps"));
+  onFace_->setToolTip(
+      tr("What the face shows: the measure along its seams, curvatures H (1/mm) or K (1/mm\u00b2), or stripes of equal "
+         "slope, which break where the surface has a crease and have corners where its curvature jumps"));
   table_->setToolTip(tr("Choose a seam to fly there; double click a scheme to use it"));
   figure_->setToolTip(tr("Click at a place of the seam to fly there; v = 180\u00b0 is the nose bridge"));
 }
@@ -109,7 +118,8 @@ QWidget* ContinuityPanel::controls() {
   row->addWidget(new QLabel(tr("On the face"), box));
   row->addWidget(onFace_);
   row->addStretch();
-  row->addWidget(new ExportButton("continuityExport", model_, [this] { return profileFigure(); }, [this] { return numbers(); }, box));
+  row->addWidget(new ExportButton(
+      "continuityExport", model_, [this] { return profileFigure(); }, [this] { return numbers(); }, box));
   return box;
 }
 
@@ -131,7 +141,9 @@ void ContinuityPanel::connectControls() {
   });
 }
 
-bool ContinuityPanel::comparesSchemes() const { return rows_->currentIndex() == Schemes; }
+bool ContinuityPanel::comparesSchemes() const {
+  return rows_->currentIndex() == Schemes;
+}
 
 void ContinuityPanel::refresh() {
   measure();
@@ -162,21 +174,24 @@ void ContinuityPanel::fillTable() {
     table_->setRowNames(tr("Scheme"), names);
     const int all = static_cast<int>(shown().seamNames().size());
     for (int row = 0; row < names.size(); ++row)
-      schemes_[row].isValid() ? table_->setSummary(row, schemes_[row].summary(), all, frontal) : table_->setFault(row, faults_[row]);
+      schemes_[row].isValid() ? table_->setSummary(row, schemes_[row].summary(), all, frontal)
+                              : table_->setFault(row, faults_[row]);
     return;
   }
   for (const std::string& name : shown().seamNames()) names << QString::fromStdString(name);
   names << tr("all");
   table_->setRowNames(tr("Seam"), names);
   for (int row = 0; row < names.size(); ++row)
-    shown().isValid() ? table_->setSummary(row, shown().summary(), row, frontal) : table_->setFault(row, faults_[shown_]);
+    shown().isValid() ? table_->setSummary(row, shown().summary(), row, frontal)
+                      : table_->setFault(row, faults_[shown_]);
 }
 
 Figure ContinuityPanel::profileFigure() const {
   const SeamMeasureKind& kind = SeamMeasureKind::all()[measure_->currentIndex()];
   std::vector<SeamProfile> profiles;
   for (size_t i = 0; i < schemes_.size(); ++i)
-    if (schemes_[i].isValid() && (i == shown_ || comparesSchemes())) profiles.push_back(schemes_[i].profile(seam_, kind.array));
+    if (schemes_[i].isValid() && (i == shown_ || comparesSchemes()))
+      profiles.push_back(schemes_[i].profile(seam_, kind.array));
   if (profiles.empty()) return {};
   ChartAxis axis = kind.axis;
   double largest = 0.0;
@@ -197,7 +212,9 @@ void ContinuityPanel::showProfile() {
   figure_->setFigure(figure);
 }
 
-std::string ContinuityPanel::numbers() const { return shown().isValid() ? tableText(shown().summary()) : std::string(); }
+std::string ContinuityPanel::numbers() const {
+  return shown().isValid() ? tableText(shown().summary()) : std::string();
+}
 
 void ContinuityPanel::chooseRow() {
   const int row = table_->currentRow();
@@ -255,7 +272,8 @@ void ContinuityPanel::paintSeams() {
   if (rangeMeasure_ != measure_->currentIndex()) range_ = kind.leastRange;
   rangeMeasure_ = measure_->currentIndex();
   for (size_t seam = 0; seam < shown().seamNames().size(); ++seam)
-    range_ = std::max(range_, roundedUp(std::max(kind.leastRange, largestOf(shown().profile(static_cast<int>(seam), kind.array)))));
+    range_ = std::max(
+        range_, roundedUp(std::max(kind.leastRange, largestOf(shown().profile(static_cast<int>(seam), kind.array)))));
   range_ = std::min(range_, kind.largestRange);
   vtkNew<vtkPolyData> lines;
   lines->ShallowCopy(shown().seams());
@@ -281,9 +299,11 @@ void ContinuityPanel::paintSurface(OnFace what) {
   surface->ShallowCopy(outwards->GetOutput());
   const auto diverging = FaceOverlay::Colors::Diverging;
   if (what == Zebra) overlay_->showZebra(surface);
-  if (what == MeanCurvature) overlay_->showSurface(surface, "MeanCurvature", {tr("mean curvature H (1/mm)"), -meanRange, meanRange, diverging});
+  if (what == MeanCurvature)
+    overlay_->showSurface(surface, "MeanCurvature", {tr("mean curvature H (1/mm)"), -meanRange, meanRange, diverging});
   if (what == GaussianCurvature)
-    overlay_->showSurface(surface, "GaussianCurvature", {tr("Gaussian curvature K (1/mm^2)"), -gaussianRange, gaussianRange, diverging});
+    overlay_->showSurface(surface, "GaussianCurvature",
+                          {tr("Gaussian curvature K (1/mm^2)"), -gaussianRange, gaussianRange, diverging});
 }
 
 }  // namespace mien

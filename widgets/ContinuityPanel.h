@@ -1,14 +1,14 @@
 #pragma once
 
+#include <vtkNew.h>
+
+#include <QWidget>
+
 #include "CameraFlight.h"
 #include "FaceOverlay.h"
 #include "Figure.h"
 #include "PipelineErrors.h"
 #include "SchemeContinuity.h"
-
-#include <QWidget>
-
-#include <vtkNew.h>
 
 class QComboBox;
 class vtkPDEFaceFilter;
@@ -19,8 +19,8 @@ class ContinuityTable;
 class FaceModel;
 class FigureView;
 
-/// How smoothly do the patches meet? A table of the eight seams, or of all schemes; the profile of a measure along the chosen
-/// seam; angle, curvature or zebra stripes on the face. Choosing a seam flies the camera there.
+/// How smoothly do the patches meet? A table of the eight seams, or of all schemes; the profile of a measure along the
+/// chosen seam; angle, curvature or zebra stripes on the face. Choosing a seam flies the camera there.
 class ContinuityPanel : public QWidget {
   Q_OBJECT
  public:
@@ -63,7 +63,7 @@ class ContinuityPanel : public QWidget {
   PipelineErrors errors_;
   size_t shown_ = 0;  ///< the scheme of the face
   int seam_ = 0;
-  double range_ = 0.0;    ///< of the colours of seams
+  double range_ = 0.0;     ///< of the colours of seams
   int rangeMeasure_ = -1;  ///< that the range was chosen for
 };
 

@@ -1,21 +1,20 @@
 #include "ContinuityTable.h"
 
-#include "SeamMeasureKind.h"
-
 #include <vtkTable.h>
 #include <vtkVariant.h>
 
 #include <QHeaderView>
 #include <QSignalBlocker>
-
 #include <cmath>
+
+#include "SeamMeasureKind.h"
 
 namespace mien {
 
 namespace {
 
 constexpr double rounding = 1e-7;  // what is smaller is the rounding of the jets
-constexpr int lineOfTable = 20;      // pixels
+constexpr int lineOfTable = 20;    // pixels
 
 QString numberText(double value) {
   if (!std::isfinite(value)) return QStringLiteral("\u2013");
@@ -71,7 +70,8 @@ void ContinuityTable::setSummary(int row, vtkTable* summary, int sourceRow, bool
   item(row, 0)->setToolTip(QString());
   for (size_t i = 0; i < columns.size(); ++i) {
     const std::string name = (frontal ? "frontal_" : "") + std::string(columns[i].name);
-    item(row, static_cast<int>(i) + 1)->setText(numberText(summary->GetValueByName(sourceRow, name.c_str()).ToDouble()));
+    item(row, static_cast<int>(i) + 1)
+        ->setText(numberText(summary->GetValueByName(sourceRow, name.c_str()).ToDouble()));
   }
 }
 
@@ -80,6 +80,8 @@ void ContinuityTable::setFault(int row, const QString& why) {
   for (int column = 1; column < columnCount(); ++column) item(row, column)->setText(QStringLiteral("\u2013"));
 }
 
-QSize ContinuityTable::sizeHint() const { return {470, 9 * lineOfTable + 40}; }
+QSize ContinuityTable::sizeHint() const {
+  return {470, 9 * lineOfTable + 40};
+}
 
 }  // namespace mien

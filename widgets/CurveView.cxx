@@ -1,8 +1,5 @@
 #include "CurveView.h"
 
-#include "FaceModel.h"
-#include "Theme.h"
-
 #include <vtkActor.h>
 #include <vtkBoundaryCurveReader.h>
 #include <vtkLookupTable.h>
@@ -11,6 +8,9 @@
 #include <vtkRenderer.h>
 #include <vtkScalarBarActor.h>
 #include <vtkTextProperty.h>
+
+#include "FaceModel.h"
+#include "Theme.h"
 
 namespace mien {
 

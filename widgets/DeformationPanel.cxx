@@ -6,9 +6,9 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QToolButton>
-#include <QVariant>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 #include <cmath>
 

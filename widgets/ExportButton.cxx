@@ -1,13 +1,13 @@
 #include "ExportButton.h"
 
-#include "FaceModel.h"
-#include "FaceStateText.h"
-#include "FigureFile.h"
-
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
 #include <QSaveFile>
+
+#include "FaceModel.h"
+#include "FaceStateText.h"
+#include "FigureFile.h"
 
 namespace mien {
 
@@ -21,7 +21,8 @@ ExportButton::ExportButton(const QString& objectName, FaceModel* model, std::fun
   setFocusPolicy(Qt::TabFocus);
   auto* menu = new QMenu(this);
   const auto add = [&](const QString& ending, const QString& text, const QString& description) {
-    menu->addAction(text, this, [this, ending, description] { ask(ending, description); })->setObjectName(objectName + ending.toUpper());
+    menu->addAction(text, this, [this, ending, description] { ask(ending, description); })
+        ->setObjectName(objectName + ending.toUpper());
   };
   add("svg", tr("&SVG..."), tr("Scalable vector graphics"));
   add("pdf", tr("&PDF..."), tr("Portable document"));
@@ -31,7 +32,8 @@ ExportButton::ExportButton(const QString& objectName, FaceModel* model, std::fun
 }
 
 void ExportButton::ask(const QString& ending, const QString& description) {
-  QString name = QFileDialog::getSaveFileName(window(), tr("Export"), QString(), QString("%1 (*.%2)").arg(description, ending));
+  QString name =
+      QFileDialog::getSaveFileName(window(), tr("Export"), QString(), QString("%1 (*.%2)").arg(description, ending));
   if (name.isEmpty()) return;
   if (QFileInfo(name).suffix().isEmpty()) name += '.' + ending;
   write(name);
@@ -50,7 +52,8 @@ std::string ExportButton::writeNumbers(const QString& fileName) const {
   const std::string text = numbers_();
   if (text.empty()) return fileName.toStdString() + ": there are no numbers yet to write; wait until they are shown";
   QSaveFile file(fileName);
-  const bool written = file.open(QIODevice::WriteOnly) && file.write(text.data(), text.size()) == qint64(text.size()) && file.commit();
+  const bool written =
+      file.open(QIODevice::WriteOnly) && file.write(text.data(), text.size()) == qint64(text.size()) && file.commit();
   return written ? std::string() : fileName.toStdString() + ": cannot be written: " + file.errorString().toStdString();
 }
 

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "ExportDrawing.h"
-
 #include <QString>
 #include <QToolButton>
-
 #include <functional>
 #include <string>
+
+#include "ExportDrawing.h"
 
 namespace mien {
 
@@ -18,8 +17,8 @@ class ExportButton : public QToolButton {
  public:
   /// @param figure   with title, caption and note, asked for when it is written
   /// @param numbers  text of a CSV file
-  ExportButton(const QString& objectName, FaceModel* model, std::function<ExportDrawing()> figure, std::function<std::string()> numbers,
-               QWidget* parent = nullptr);
+  ExportButton(const QString& objectName, FaceModel* model, std::function<ExportDrawing()> figure,
+               std::function<std::string()> numbers, QWidget* parent = nullptr);
 
   /// The ending decides on the format. The message bar says what went wrong. @return whether it was written
   bool write(const QString& fileName);

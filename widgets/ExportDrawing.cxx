@@ -1,8 +1,8 @@
 #include "ExportDrawing.h"
 
-#include "FigurePainter.h"
-
 #include <memory>
+
+#include "FigurePainter.h"
 
 namespace mien {
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "Figure.h"
-
 #include <QSizeF>
-
 #include <functional>
 #include <string>
+
+#include "Figure.h"
 
 class QPainter;
 

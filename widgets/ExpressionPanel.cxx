@@ -1,12 +1,11 @@
 #include "ExpressionPanel.h"
 
+#include <QVBoxLayout>
+#include <cmath>
+
 #include "ExpressionRow.h"
 #include "FaceModel.h"
 #include "vtkFAPAnimationFilter.h"
-
-#include <QVBoxLayout>
-
-#include <cmath>
 
 namespace mien {
 
@@ -36,10 +35,10 @@ ExpressionPanel::ExpressionPanel(FaceModel* model, QWidget* parent) : QWidget(pa
 
 void ExpressionPanel::addRow(const QString& name) {
   const std::string key = name.toStdString();
-  auto* row = new ExpressionRow(name, QString::fromStdString(vtkFAPAnimationFilter::GetExpressionDefinition(key)), this);
-  connect(row, &ExpressionRow::percentEdited, this, [this, key](int percent) {
-    model_->change([&](FaceState& state) { setExpression(state, key, percent); });
-  });
+  auto* row =
+      new ExpressionRow(name, QString::fromStdString(vtkFAPAnimationFilter::GetExpressionDefinition(key)), this);
+  connect(row, &ExpressionRow::percentEdited, this,
+          [this, key](int percent) { model_->change([&](FaceState& state) { setExpression(state, key, percent); }); });
   connect(row, &ExpressionRow::chosenAlone, this, [this, key](bool chosen) {
     model_->change([&](FaceState& state) {
       state.expressions.clear();

@@ -1,19 +1,19 @@
 #include "ExpressionRow.h"
 
-#include "ValueSlider.h"
-
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVariant>
 
+#include "ValueSlider.h"
+
 namespace mien {
 
 namespace {
 
-constexpr int full = 100;        // percent
-constexpr int nameWidth = 84;    // pixels: the longest name, so that sliders begin below each other
+constexpr int full = 100;      // percent
+constexpr int nameWidth = 84;  // pixels: the longest name, so that sliders begin below each other
 
 }  // namespace
 
@@ -38,7 +38,8 @@ void ExpressionRow::build(const QString& name, const QString& definition) {
   name_->setCheckable(true);
   name_->setProperty("compact", true);
   name_->setFixedWidth(nameWidth);
-  name_->setToolTip(tr("%1<br>Click for this expression alone, again for the neutral face; sliders mix.").arg(definition));
+  name_->setToolTip(
+      tr("%1<br>Click for this expression alone, again for the neutral face; sliders mix.").arg(definition));
   slider_->setObjectName("expressionSlider_" + name);
   slider_->setRange(0, full);
   slider_->setPageStep(10);

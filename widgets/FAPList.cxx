@@ -1,16 +1,17 @@
 #include "FAPList.h"
 
-#include "FAPRow.h"
-#include "FAPSection.h"
-#include "FAPText.h"
-
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "FAPRow.h"
+#include "FAPSection.h"
+#include "FAPText.h"
+
 namespace mien {
 
-FAPList::FAPList(QWidget* parent) : QScrollArea(parent), nothing_(new QLabel(tr("No FAP has this name, number or feature point."))) {
+FAPList::FAPList(QWidget* parent)
+    : QScrollArea(parent), nothing_(new QLabel(tr("No FAP has this name, number or feature point."))) {
   setObjectName("fapList");
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);

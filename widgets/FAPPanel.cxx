@@ -1,11 +1,5 @@
 #include "FAPPanel.h"
 
-#include "FAPList.h"
-#include "FAPRow.h"
-#include "FAPTable.h"
-#include "FaceModel.h"
-#include "Remembered.h"
-
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -13,8 +7,14 @@
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QToolButton>
-#include <QVariant>
 #include <QVBoxLayout>
+#include <QVariant>
+
+#include "FAPList.h"
+#include "FAPRow.h"
+#include "FAPTable.h"
+#include "FaceModel.h"
+#include "Remembered.h"
 
 namespace mien {
 
@@ -34,13 +34,22 @@ void setFAP(FaceState& state, int fap, double value) {
     state.fapValues[fap] = value;
 }
 
-bool isShown(const FAPDefinition& fap) { return fap.number >= FAPFrame::firstLowLevel && fap.hasSurface; }
+bool isShown(const FAPDefinition& fap) {
+  return fap.number >= FAPFrame::firstLowLevel && fap.hasSurface;
+}
 
 }  // namespace
 
 FAPPanel::FAPPanel(FaceModel* model, QWidget* parent)
-    : QWidget(parent), model_(model), all_(new QToolButton(this)), search_(new QLineEdit(this)), tabs_(new QTabBar(this)),
-      head_(new QStackedWidget(this)), pages_(new QStackedWidget(this)), list_(new FAPList(pages_)), mirror_(new QCheckBox(tr("&Mirror lock"), this)) {
+    : QWidget(parent),
+      model_(model),
+      all_(new QToolButton(this)),
+      search_(new QLineEdit(this)),
+      tabs_(new QTabBar(this)),
+      head_(new QStackedWidget(this)),
+      pages_(new QStackedWidget(this)),
+      list_(new FAPList(pages_)),
+      mirror_(new QCheckBox(tr("&Mirror lock"), this)) {
   setObjectName("fapPanel");
   tabs_->setObjectName("fapTabs");
   tabs_->setDrawBase(false);
@@ -80,7 +89,8 @@ QWidget* FAPPanel::header() {
   all_->setObjectName("fapAll");
   all_->setText(tr("All FAPs"));
   all_->setProperty("framed", true);
-  all_->setToolTip(tr("Every low-level FAP that this face has surface for, in one list; again: the 22 of Sheng et al. 2011"));
+  all_->setToolTip(
+      tr("Every low-level FAP that this face has surface for, in one list; again: the 22 of Sheng et al. 2011"));
   all_->setCheckable(true);
   all_->setChecked(Remembered::value(allKey, false).toBool());
   all_->setFocusPolicy(Qt::TabFocus);
@@ -147,8 +157,9 @@ QWidget* FAPPanel::footer() {
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   mirror_->setObjectName("fapMirror");
-  mirror_->setToolTip(tr("A FAP of one side takes its partner on the other side along, so that the face stays symmetric; FAPs marked "
-                         "\u21c4 have a partner (Alt+M)"));
+  mirror_->setToolTip(
+      tr("A FAP of one side takes its partner on the other side along, so that the face stays symmetric; FAPs marked "
+         "\u21c4 have a partner (Alt+M)"));
   mirror_->setChecked(Remembered::value(mirrorKey, true).toBool());
   connect(mirror_, &QCheckBox::toggled, this, [this](bool on) {
     Remembered::set(mirrorKey, on);
@@ -193,8 +204,9 @@ void FAPPanel::follow() {
 /// What the animation table does not move cannot be set either.
 void FAPPanel::followTable() {
   for (FAPRow* row : qAsConst(rows_))
-    row->setReason(model_->moves(row->fap()) ? QString()
-                                            : tr("The animation table moves nothing for this FAP, so it cannot be set."));
+    row->setReason(model_->moves(row->fap())
+                       ? QString()
+                       : tr("The animation table moves nothing for this FAP, so it cannot be set."));
 }
 
 }  // namespace mien

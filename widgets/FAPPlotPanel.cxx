@@ -1,15 +1,5 @@
 #include "FAPPlotPanel.h"
 
-#include "AnimationPlayer.h"
-#include "ExportButton.h"
-#include "FAPTable.h"
-#include "FAPText.h"
-#include "FaceModel.h"
-#include "FigureView.h"
-#include "NumberText.h"
-#include "ScreenFigure.h"
-#include "SeriesStyle.h"
-
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -21,15 +11,24 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
-
 #include <algorithm>
 #include <cmath>
+
+#include "AnimationPlayer.h"
+#include "ExportButton.h"
+#include "FAPTable.h"
+#include "FAPText.h"
+#include "FaceModel.h"
+#include "FigureView.h"
+#include "NumberText.h"
+#include "ScreenFigure.h"
+#include "SeriesStyle.h"
 
 namespace mien {
 
 namespace {
 
-constexpr size_t atFirst = 4;           // FAPs shown of a new animation
+constexpr size_t atFirst = 4;         // FAPs shown of a new animation
 constexpr int listWidth = 290;        // pixels: the longest name
 constexpr double zoomStep = 1.6;      // of a button
 constexpr double fewestFrames = 4.0;  // in the plot
@@ -37,7 +36,9 @@ constexpr double headRadius = 100.0;  // mm: what an angle of the head moves, to
 constexpr int swatchWidth = 34, swatchHeight = 12;
 constexpr double swatchScale = 0.045;  // pixels per figure unit
 
-int fapOf(const QListWidgetItem* item) { return item->data(Qt::UserRole).toInt(); }
+int fapOf(const QListWidgetItem* item) {
+  return item->data(Qt::UserRole).toInt();
+}
 
 /// How far the values of one FAP reach from each other.
 double rangeOf(const FAPSequence& motion, int fap) {
@@ -77,16 +78,23 @@ QToolButton* button(QWidget* parent, const char* name, const QString& text, cons
 }  // namespace
 
 FAPPlotPanel::FAPPlotPanel(FaceModel* model, AnimationPlayer* player, QWidget* parent)
-    : QWidget(parent), model_(model), player_(player), figure_(new FigureView("plotFigure", FigureView::Marker::Line, this)),
-      list_(new QListWidget(this)), hint_(new QLabel(this)) {
+    : QWidget(parent),
+      model_(model),
+      player_(player),
+      figure_(new FigureView("plotFigure", FigureView::Marker::Line, this)),
+      list_(new QListWidget(this)),
+      hint_(new QLabel(this)) {
   setObjectName("fapPlotPanel");
   list_->setObjectName("plotFAPs");
   list_->setSelectionMode(QAbstractItemView::MultiSelection);
   list_->setIconSize({swatchWidth, swatchHeight});
   list_->setFixedWidth(listWidth);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setToolTip(tr("Click the FAPs to plot, six at most. Listed is what the animation moves; visemes and expressions count as the FAPs that they stand for"));
-  figure_->setToolTip(tr("Drag to scrub; wheel to zoom; drag with Shift for the range to play; arrow keys step by frames"));
+  list_->setToolTip(
+      tr("Click the FAPs to plot, six at most. Listed is what the animation moves; visemes and expressions count as "
+         "the FAPs that they stand for"));
+  figure_->setToolTip(
+      tr("Drag to scrub; wheel to zoom; drag with Shift for the range to play; arrow keys step by frames"));
   auto* body = new QHBoxLayout;
   body->addWidget(list_);
   body->addWidget(figure_, 1);
@@ -121,7 +129,8 @@ QWidget* FAPPlotPanel::controls() {
   });
   row->addWidget(hint_, 1);
   for (QWidget* widget : {nearer, further, whole, range}) row->addWidget(widget);
-  row->addWidget(new ExportButton("plotExport", model_, [this] { return fullFigure(); }, [this] { return numbers(); }, box));
+  row->addWidget(new ExportButton(
+      "plotExport", model_, [this] { return fullFigure(); }, [this] { return numbers(); }, box));
   return box;
 }
 
@@ -156,7 +165,9 @@ void FAPPlotPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-double FAPPlotPanel::duration() const { return model_->motion().frames.empty() ? 1.0 : model_->motion().duration(); }
+double FAPPlotPanel::duration() const {
+  return model_->motion().frames.empty() ? 1.0 : model_->motion().duration();
+}
 
 void FAPPlotPanel::followAnimation() {
   outdated_ = false;
@@ -179,9 +190,9 @@ void FAPPlotPanel::listFAPs() {
     item->setToolTip(fapToolTip(fap, model_->millimetresPerUnit(fap.number)));
   }
   hint_->setText(list_->count() > 0 ? tr("%1 FAPs move; click to plot, six at most").arg(list_->count()) : QString());
-  figure_->setHint(model_->frameCount() == 0  ? tr("Open a .fap animation to plot its FAPs")
-                   : list_->count() == 0      ? tr("No FAP of this animation ever moves")
-                                              : tr("Click FAPs in the list to plot them"));
+  figure_->setHint(model_->frameCount() == 0 ? tr("Open a .fap animation to plot its FAPs")
+                   : list_->count() == 0     ? tr("No FAP of this animation ever moves")
+                                             : tr("Click FAPs in the list to plot them"));
 }
 
 /// Those that move the face furthest, of mirror partners one.
@@ -192,7 +203,8 @@ void FAPPlotPanel::chooseSome() {
   };
   std::vector<std::pair<double, QListWidgetItem*>> items;
   for (int i = 0; i < list_->count(); ++i) items.emplace_back(reach(fapOf(list_->item(i))), list_->item(i));
-  std::stable_sort(items.begin(), items.end(), [](const auto& one, const auto& other) { return one.first > other.first; });
+  std::stable_sort(items.begin(), items.end(),
+                   [](const auto& one, const auto& other) { return one.first > other.first; });
   const QSignalBlocker quiet(list_);
   std::vector<int> faps;
   for (const auto& [distance, item] : items) {
@@ -224,7 +236,8 @@ void FAPPlotPanel::addChosen(QListWidgetItem* item) {
     if (plotted.fap == fap) return;
   for (int style = 0; style < SeriesStyle::count; ++style) {
     const auto has = [style](const PlottedFAP& plotted) { return plotted.style == style; };
-    if (std::none_of(chosen_.begin(), chosen_.end(), has)) return chosen_.push_back({fap, item->text().toStdString(), style});
+    if (std::none_of(chosen_.begin(), chosen_.end(), has))
+      return chosen_.push_back({fap, item->text().toStdString(), style});
   }
   hint_->setText(tr("Six at most can be told apart: click one away first"));
   const QSignalBlocker quiet(list_);
@@ -279,7 +292,8 @@ void FAPPlotPanel::draw() {
 Figure FAPPlotPanel::fullFigure() const {
   Figure figure = fapPlotFigure(model_->motion(), chosen_, begin_, end_);
   figure.note = QFileInfo(QString::fromStdString(model_->state().fapFile)).fileName().toStdString() + ", " +
-                QString::number(model_->framesPerSecond()).toStdString() + " frames/s; 1024 units are the whole length of a FAP's unit";
+                QString::number(model_->framesPerSecond()).toStdString() +
+                " frames/s; 1024 units are the whole length of a FAP's unit";
   return figure;
 }
 

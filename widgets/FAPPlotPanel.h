@@ -1,8 +1,8 @@
 #pragma once
 
-#include "FAPPlotFigure.h"
-
 #include <QWidget>
+
+#include "FAPPlotFigure.h"
 
 class QHBoxLayout;
 class QLabel;

@@ -1,10 +1,5 @@
 #include "FAPRow.h"
 
-#include "ValueSlider.h"
-#include "FAPText.h"
-#include "FaceState.h"
-#include "Icons.h"
-
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -13,14 +8,18 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
-
 #include <cmath>
+
+#include "FAPText.h"
+#include "FaceState.h"
+#include "Icons.h"
+#include "ValueSlider.h"
 
 namespace mien {
 
 namespace {
 
-constexpr int singleStep = 4, pageStep = 64;             // of the slider by keys, in FAP units
+constexpr int singleStep = 4, pageStep = 64;                // of the slider by keys, in FAP units
 constexpr int singleAngleStep = 500, pageAngleStep = 5000;  // the same for angles: 0.3 and 3 degrees
 constexpr double degreesPerAngleUnit = radiansPerAngleUnit * 57.29577951308232;
 
@@ -39,9 +38,16 @@ QString unitSuffix(FAPUnit unit) {
 }  // namespace
 
 FAPRow::FAPRow(const FAPDefinition& fap, double millimetresPerUnit, QWidget* parent)
-    : QWidget(parent), fap_(fap.number), unit_(fap.unit), millimetresPerUnit_(millimetresPerUnit),
-      hasPartner_(fap.mirrorPartner != fap.number), slider_(new ValueSlider(this)), number_(new QDoubleSpinBox(this)),
-      name_(new QLabel(fapLabel(fap), this)), length_(new QLabel(this)), reset_(new QToolButton(this)) {
+    : QWidget(parent),
+      fap_(fap.number),
+      unit_(fap.unit),
+      millimetresPerUnit_(millimetresPerUnit),
+      hasPartner_(fap.mirrorPartner != fap.number),
+      slider_(new ValueSlider(this)),
+      number_(new QDoubleSpinBox(this)),
+      name_(new QLabel(fapLabel(fap), this)),
+      length_(new QLabel(this)),
+      reset_(new QToolButton(this)) {
   build(fap);
   display(0.0);
   setShownValue(0.0);
@@ -87,7 +93,8 @@ void FAPRow::buildNumber(const FAPDefinition& fap) {
   number_->setAccessibleName(fapLabel(fap));
   number_->setAlignment(Qt::AlignRight);
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  number_->setFixedSize(number_->fontMetrics().horizontalAdvance("-1024 IRISD") + 16, number_->fontMetrics().height() + 10);
+  number_->setFixedSize(number_->fontMetrics().horizontalAdvance("-1024 IRISD") + 16,
+                        number_->fontMetrics().height() + 10);
 }
 
 void FAPRow::layOut() {
@@ -113,7 +120,9 @@ bool FAPRow::eventFilter(QObject* watched, QEvent* event) {
   return true;
 }
 
-double FAPRow::value() const { return number_->value(); }
+double FAPRow::value() const {
+  return number_->value();
+}
 
 void FAPRow::display(double value) {
   const QSignalBlocker quietSlider(slider_), quietNumber(number_);
@@ -130,7 +139,8 @@ void FAPRow::setValue(double value) {
 void FAPRow::setShownValue(double value) {
   slider_->setShownValue(value);
   const bool isAngle = unit_ == FAPUnit::Angle;
-  const double tenths = std::round(10.0 * value * (isAngle ? degreesPerAngleUnit : millimetresPerUnit_)) + 0.0;  // no -0
+  const double tenths =
+      std::round(10.0 * value * (isAngle ? degreesPerAngleUnit : millimetresPerUnit_)) + 0.0;  // no -0
   length_->setText((isAngle ? tr("%1\u00b0") : tr("%1 mm")).arg(0.1 * tenths, 0, 'f', 1));
 }
 

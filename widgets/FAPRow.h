@@ -1,8 +1,8 @@
 #pragma once
 
-#include "FAPUnit.h"
-
 #include <QWidget>
+
+#include "FAPUnit.h"
 
 class QDoubleSpinBox;
 class QLabel;
@@ -23,9 +23,9 @@ class FAPRow : public QWidget {
   int fap() const { return fap_; }
   double value() const;
 
-  void setValue(double value);       ///< without a signal
-  void setShownValue(double value);  ///< what the face shows, with animation and expression
-  void setPartnerShown(bool shown);  ///< whether a mark tells that the FAP has a partner on the other side
+  void setValue(double value);            ///< without a signal
+  void setShownValue(double value);       ///< what the face shows, with animation and expression
+  void setPartnerShown(bool shown);       ///< whether a mark tells that the FAP has a partner on the other side
   void setReason(const QString& whyNot);  ///< why the FAP cannot be set; empty: it can
 
  protected:

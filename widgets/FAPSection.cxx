@@ -1,11 +1,11 @@
 #include "FAPSection.h"
 
-#include "FAPRow.h"
-#include "FAPText.h"
-
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QVariant>
+
+#include "FAPRow.h"
+#include "FAPText.h"
 
 namespace mien {
 
@@ -35,7 +35,8 @@ void FAPSection::nameMissing() {
   missing_->setProperty("faint", true);
   missing_->setWordWrap(true);
   missing_->setText(tr("No surface on this face: FAP %1").arg(numbers.join(", ")));
-  missing_->setToolTip(tr("The PDE face has no eyeballs, tongue or ears, so these FAPs move nothing:<br>%1").arg(names.join("<br>")));
+  missing_->setToolTip(
+      tr("The PDE face has no eyeballs, tongue or ears, so these FAPs move nothing:<br>%1").arg(names.join("<br>")));
   missing_->setVisible(!numbers.isEmpty());
 }
 
@@ -55,7 +56,8 @@ int FAPSection::filter(const QString& words) {
     left += named;
   }
   bool missing = false;
-  for (const FAPDefinition& fap : fapTable) missing = missing || (fap.group == group_ && !fap.hasSurface && fapMatches(fap, words));
+  for (const FAPDefinition& fap : fapTable)
+    missing = missing || (fap.group == group_ && !fap.hasSurface && fapMatches(fap, words));
   missing_->setVisible(missing);
   setVisible(left > 0 || missing);
   return left + missing;

@@ -8,17 +8,22 @@ namespace mien {
 
 namespace {
 
-QString text(const char* source) { return QCoreApplication::translate("FAPText", source); }
+QString text(const char* source) {
+  return QCoreApplication::translate("FAPText", source);
+}
 
 const QHash<QString, QString>& words() {
-  static const QHash<QString, QString> table = {
-      {"l", "left"},          {"r", "right"},           {"t", "upper"},        {"b", "lower"},
-      {"i", "inner"},         {"m", "middle"},          {"lm", "left middle"}, {"rm", "right middle"},
-      {"midlip", "mid-lip"},  {"cornerlip", "lip corner"}};
+  static const QHash<QString, QString> table = {{"l", "left"},         {"r", "right"},
+                                                {"t", "upper"},        {"b", "lower"},
+                                                {"i", "inner"},        {"m", "middle"},
+                                                {"lm", "left middle"}, {"rm", "right middle"},
+                                                {"midlip", "mid-lip"}, {"cornerlip", "lip corner"}};
   return table;
 }
 
-QString latin(std::string_view text) { return QString::fromLatin1(text.data(), static_cast<int>(text.size())); }
+QString latin(std::string_view text) {
+  return QString::fromLatin1(text.data(), static_cast<int>(text.size()));
+}
 
 QString unitName(FAPUnit unit) {
   switch (unit) {
@@ -80,17 +85,28 @@ const std::vector<int>& fapGroups() {
 }
 
 QString fapGroupTitle(int group) {
-  static const char* const titles[] = {"", "Visemes and expressions", "Jaw and inner lips", "Eyes", "Brows", "Cheeks", "Tongue",
-                                       "Head", "Outer lips", "Nose", "Ears"};
+  static const char* const titles[] = {"",
+                                       "Visemes and expressions",
+                                       "Jaw and inner lips",
+                                       "Eyes",
+                                       "Brows",
+                                       "Cheeks",
+                                       "Tongue",
+                                       "Head",
+                                       "Outer lips",
+                                       "Nose",
+                                       "Ears"};
   return text(titles[group]);
 }
 
 bool fapMatches(const FAPDefinition& fap, const QString& words) {
-  const QString number = QString::number(fap.number), name = latin(fap.name), point = latin(fap.featurePoint), label = fapLabel(fap);
+  const QString number = QString::number(fap.number), name = latin(fap.name), point = latin(fap.featurePoint),
+                label = fapLabel(fap);
   for (const QString& word : words.split(' ', Qt::SkipEmptyParts)) {
     if (word == number || word == point) continue;
     const bool isNumber = word[0].isDigit();
-    if (isNumber || !(name.contains(word, Qt::CaseInsensitive) || label.contains(word, Qt::CaseInsensitive))) return false;
+    if (isNumber || !(name.contains(word, Qt::CaseInsensitive) || label.contains(word, Qt::CaseInsensitive)))
+      return false;
   }
   return true;
 }

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "FAPTable.h"
-
 #include <QString>
-
 #include <vector>
+
+#include "FAPTable.h"
 
 namespace mien {
 

@@ -1,17 +1,16 @@
 #include "FaceModel.h"
 
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+
 #include "AnimationData.h"
 #include "FAPTable.h"
 #include "HighLevelFAPs.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
-
-#include <QElapsedTimer>
-#include <QFileInfo>
-#include <QTimer>
-
-#include <algorithm>
-#include <cmath>
 
 namespace mien {
 
@@ -30,7 +29,9 @@ QString missingParts(const std::vector<int>& faps) {
   QStringList parts;
   for (int fap : faps) {
     const int group = fapDefinition(fap).group;
-    const QString part = group == 3 ? FaceModel::tr("eyeballs") : group == 6 ? FaceModel::tr("tongue") : FaceModel::tr("ears");
+    const QString part = group == 3   ? FaceModel::tr("eyeballs")
+                         : group == 6 ? FaceModel::tr("tongue")
+                                      : FaceModel::tr("ears");
     if (!parts.contains(part)) parts << part;
   }
   return parts.join(", ");
@@ -117,7 +118,8 @@ QString FaceModel::stillFAPs() const {
   for (int fap : used)
     if (!moves(fap) && std::find(missing.begin(), missing.end(), fap) == missing.end()) unknown.push_back(fap);
   QStringList parts;
-  if (!missing.empty()) parts << tr("FAP %1 (%2), which this face has no surface for").arg(numbers(missing), missingParts(missing));
+  if (!missing.empty())
+    parts << tr("FAP %1 (%2), which this face has no surface for").arg(numbers(missing), missingParts(missing));
   if (!unknown.empty()) parts << tr("FAP %1, which the animation table does not move").arg(numbers(unknown));
   return parts.isEmpty() ? QString() : tr("It also sets %1.").arg(parts.join(tr(", and ")));
 }
@@ -132,7 +134,8 @@ void FaceModel::reportAnimation() {
     return;
   }
   if (!still.isEmpty()) remarks << still;
-  const QString sentence = remarks.size() == 1 ? tr("%1 was opened, with one remark.") : tr("%1 was opened, with %2 remarks.");
+  const QString sentence =
+      remarks.size() == 1 ? tr("%1 was opened, with one remark.") : tr("%1 was opened, with %2 remarks.");
   emit remarked(remarks.size() == 1 ? sentence.arg(name) : sentence.arg(name).arg(remarks.size()), remarks.join('\n'));
 }
 
@@ -159,9 +162,13 @@ void FaceModel::appendLive(double framesPerSecond, const QString& name, const st
   emit animationGrew();
 }
 
-void FaceModel::closeAnimation() { openAnimation(QString()); }
+void FaceModel::closeAnimation() {
+  openAnimation(QString());
+}
 
-int FaceModel::frameCount() const { return good_.fapFile.empty() ? 0 : pipeline_.frames()->GetNumberOfFrames(); }
+int FaceModel::frameCount() const {
+  return good_.fapFile.empty() ? 0 : pipeline_.frames()->GetNumberOfFrames();
+}
 
 double FaceModel::framesPerSecond() const {
   return good_.fapFile.empty() ? 0.0 : pipeline_.frames()->GetFramesPerSecond();
@@ -173,7 +180,9 @@ double FaceModel::framePosition() const {
 }
 
 /// Half a millionth of a frame is rounding of a time, as in FAPSequence.
-int FaceModel::frameIndex() const { return static_cast<int>(std::floor(framePosition() + 1e-6)); }
+int FaceModel::frameIndex() const {
+  return static_cast<int>(std::floor(framePosition() + 1e-6));
+}
 
 QString FaceModel::frameNumber() const {
   const int last = frameCount() - 1;
@@ -198,7 +207,8 @@ void FaceModel::setInterpolating(bool on) {
 double FaceModel::shownFAP(int fap) const {
   const auto own = state_.fapValues.find(fap);
   double value = own == state_.fapValues.end() ? 0.0 : own->second;
-  if (frameCount() > 0) value += motion_.frameAtTime(framePosition() / motion_.framesPerSecond, interpolates()).value(fap);
+  if (frameCount() > 0)
+    value += motion_.frameAtTime(framePosition() / motion_.framesPerSecond, interpolates()).value(fap);
   for (const auto& [name, intensity] : state_.expressions)
     value += intensity * vtkFAPAnimationFilter::GetExpressionFAP(name, fap);
   return value;

@@ -1,16 +1,15 @@
 #pragma once
 
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <functional>
+#include <vector>
+
 #include "AnimationTable.h"
 #include "FAPSequence.h"
 #include "FacePipeline.h"
 #include "FaceState.h"
-
-#include <QObject>
-#include <QString>
-#include <QStringList>
-
-#include <functional>
-#include <vector>
 
 class QTimer;
 
@@ -44,11 +43,11 @@ class FaceModel : public QObject {
   void appendLive(double framesPerSecond, const QString& name, const std::vector<FAPFrame>& frames);
   bool isLive() const { return state_.fapFile == "-"; }
 
-  int frameCount() const;          ///< of the open animation; 0 without one
-  double framesPerSecond() const;  ///< of the open animation; 0 without one
-  int frameIndex() const;          ///< from 0; between two frames that of the one before
-  double framePosition() const;    ///< from 0; between two frames only while interpolating
-  QString frameNumber() const;     ///< as written in the file
+  int frameCount() const;           ///< of the open animation; 0 without one
+  double framesPerSecond() const;   ///< of the open animation; 0 without one
+  int frameIndex() const;           ///< from 0; between two frames that of the one before
+  double framePosition() const;     ///< from 0; between two frames only while interpolating
+  QString frameNumber() const;      ///< as written in the file
   void showFrame(double position);  ///< from 0; brought to the nearer end when outside
 
   /// Whether positions between two frames show their linear mixture, not the frame before. Default: off.

@@ -1,8 +1,5 @@
 #include "FaceOverlay.h"
 
-#include "FaceView.h"
-#include "Theme.h"
-
 #include <vtkActor.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkLookupTable.h>
@@ -15,8 +12,10 @@
 #include <vtkTextProperty.h>
 
 #include <QEvent>
-
 #include <iterator>
+
+#include "FaceView.h"
+#include "Theme.h"
 
 namespace mien {
 
@@ -25,10 +24,12 @@ namespace {
 constexpr int viridis[] = {0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
 constexpr int blueToOrange[] = {0x16467f, 0x3b7bb8, 0x8fb8dc, 0xf2f2ef, 0xf0b27f, 0xd4772f, 0x8a4206};
 constexpr int steps = 256;
-constexpr float lineWidth = 5.0f;  // pixels
+constexpr float lineWidth = 5.0f;        // pixels
 constexpr double towardsCamera = -60.0;  // depth units by which lines lie before the skin that they are on
 
-double part(int color, int shift) { return ((color >> shift) & 0xff) / 255.0; }
+double part(int color, int shift) {
+  return ((color >> shift) & 0xff) / 255.0;
+}
 
 template <size_t count>
 void fill(vtkLookupTable* table, const int (&colors)[count]) {
@@ -81,8 +82,8 @@ FaceOverlay::FaceOverlay(FaceView* view, QObject* parent) : QObject(parent), vie
 
 FaceOverlay::~FaceOverlay() = default;
 
-/// Bands of equal angle between the normal and one direction across the view: where a surface has a crease the bands break,
-/// where its curvature jumps they have a corner.
+/// Bands of equal angle between the normal and one direction across the view: where a surface has a crease the bands
+/// break, where its curvature jumps they have a corner.
 void FaceOverlay::addZebraShader() {
   zebra_->GetShaderProperty()->AddFragmentShaderReplacement(
       "//VTK::Light::Impl", true,

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <vtkNew.h>
+
 #include <QObject>
 #include <QString>
-
-#include <vtkNew.h>
 
 class vtkActor;
 class vtkLookupTable;
@@ -36,9 +36,11 @@ class FaceOverlay : public QObject {
   ~FaceOverlay() override;
 
   void showSurface(vtkPolyData* surface, const char* array, const Scale& scale);  ///< coloured by a point array
-  void showColors(vtkPolyData* surface, const char* array);  ///< a point array of red, green, blue (0 .. 255); without a scale
+  void showColors(vtkPolyData* surface,
+                  const char* array);    ///< a point array of red, green, blue (0 .. 255); without a scale
   void showZebra(vtkPolyData* surface);  ///< light and dark bands of one direction of its normals, drawn per pixel
-  void showLines(vtkPolyData* lines, const char* array, const Scale& scale);  ///< on the skin, coloured by a point array
+  void showLines(vtkPolyData* lines, const char* array,
+                 const Scale& scale);  ///< on the skin, coloured by a point array
   void hide();
 
   bool isShown() const { return shown_; }

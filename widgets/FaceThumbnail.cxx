@@ -1,7 +1,6 @@
 #include "FaceThumbnail.h"
 
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -40,7 +39,8 @@ class DepthPainter {
         const double s = ((px - a.x) * (c.y - a.y) - (c.x - a.x) * (py - a.y)) / area;
         const double t = ((b.x - a.x) * (py - a.y) - (px - a.x) * (b.y - a.y)) / area;
         if (s < 0 || t < 0 || s + t > 1) continue;
-        set(x, y, a.depth + s * (b.depth - a.depth) + t * (c.depth - a.depth), a.light + s * (b.light - a.light) + t * (c.light - a.light));
+        set(x, y, a.depth + s * (b.depth - a.depth) + t * (c.depth - a.depth),
+            a.light + s * (b.light - a.light) + t * (c.light - a.light));
       }
   }
 
@@ -87,8 +87,8 @@ QImage faceThumbnail(const FaceSample& sample, const ThumbnailStyle& style) {
   for (int row = 0; row < sample.rowCount(); ++row)
     for (int column = 0; column < columns; ++column) {
       const SurfaceJet jet = sample.jet(row, column);
-      corners.push_back({0.5 * drawn.width() + scale * (jet.s.x() - middle.x()), 0.5 * drawn.height() - scale * (jet.s.y() - middle.y()),
-                         jet.s.z(), lightOn(jet)});
+      corners.push_back({0.5 * drawn.width() + scale * (jet.s.x() - middle.x()),
+                         0.5 * drawn.height() - scale * (jet.s.y() - middle.y()), jet.s.z(), lightOn(jet)});
     }
   for (int patch = 0; patch < FaceLayout::patchCount; ++patch)
     for (int row = sample.firstRow(patch); row + 1 < sample.firstRow(patch + 1); ++row)

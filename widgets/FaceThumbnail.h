@@ -1,10 +1,10 @@
 #pragma once
 
-#include "FaceSample.h"
-
 #include <QColor>
 #include <QImage>
 #include <QSize>
+
+#include "FaceSample.h"
 
 namespace mien {
 

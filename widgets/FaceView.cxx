@@ -1,13 +1,13 @@
 #include "FaceView.h"
 
-#include "FaceModel.h"
-#include "Theme.h"
-
 #include <vtkActor.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkReverseSense.h>
+
+#include "FaceModel.h"
+#include "Theme.h"
 
 namespace mien {
 
@@ -31,7 +31,8 @@ void setSkin(vtkProperty* property) {
 
 FaceView::FaceView(FaceModel* model, QWidget* parent) : RenderView(model, parent) {
   setObjectName("faceView");
-  setToolTip(tr("Drag to turn, wheel or right button to zoom, Shift and drag to move, double click to see the whole face"));
+  setToolTip(
+      tr("Drag to turn, wheel or right button to zoom, Shift and drag to move, double click to see the whole face"));
   addSurface();
   dress();
 }

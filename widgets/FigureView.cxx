@@ -1,14 +1,13 @@
 #include "FigureView.h"
 
-#include "ScreenFigure.h"
-#include "Theme.h"
-
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-
 #include <algorithm>
 #include <cmath>
+
+#include "ScreenFigure.h"
+#include "Theme.h"
 
 namespace mien {
 
@@ -60,7 +59,8 @@ void FigureView::layOut() {
   painter_.reset();
   picture_ = QPixmap();
   if (!figure_.panels.empty())
-    painter_ = std::make_unique<FigurePainter>(figure_, screenTheme(), width() * millimetresPerPixel, height() * millimetresPerPixel);
+    painter_ = std::make_unique<FigurePainter>(figure_, screenTheme(), width() * millimetresPerPixel,
+                                               height() * millimetresPerPixel);
   update();
 }
 
@@ -127,7 +127,9 @@ void FigureView::paintMarker(QPainter& painter, const ChartPainter& panel) const
   painter.drawEllipse(QPointF(x, plot.top()), handle * unitsPerPixel, handle * unitsPerPixel);
 }
 
-void FigureView::resizeEvent(QResizeEvent*) { layOut(); }
+void FigureView::resizeEvent(QResizeEvent*) {
+  layOut();
+}
 
 void FigureView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) layOut();
@@ -175,13 +177,22 @@ void FigureView::wheelEvent(QWheelEvent* event) {
 
 void FigureView::keyPressEvent(QKeyEvent* event) {
   switch (event->key()) {
-    case Qt::Key_Left: case Qt::Key_Down: return emit stepped(-1);
-    case Qt::Key_Right: case Qt::Key_Up: return emit stepped(1);
-    case Qt::Key_PageDown: return emit stepped(-pageSteps);
-    case Qt::Key_PageUp: return emit stepped(pageSteps);
-    case Qt::Key_Home: return emit stepped(-allSteps);
-    case Qt::Key_End: return emit stepped(allSteps);
-    default: QWidget::keyPressEvent(event);
+    case Qt::Key_Left:
+    case Qt::Key_Down:
+      return emit stepped(-1);
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+      return emit stepped(1);
+    case Qt::Key_PageDown:
+      return emit stepped(-pageSteps);
+    case Qt::Key_PageUp:
+      return emit stepped(pageSteps);
+    case Qt::Key_Home:
+      return emit stepped(-allSteps);
+    case Qt::Key_End:
+      return emit stepped(allSteps);
+    default:
+      QWidget::keyPressEvent(event);
   }
 }
 

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "FigurePainter.h"
-
 #include <QPixmap>
 #include <QWidget>
-
 #include <memory>
 #include <optional>
+
+#include "FigurePainter.h"
 
 namespace mien {
 
@@ -43,10 +42,10 @@ class FigureView : public QWidget {
   QSize minimumSizeHint() const override { return {220, 130}; }
 
  signals:
-  void picked(double x);    ///< pressed or dragged to with the left button
-  void zoomed(double x, double factor);        ///< by the wheel, with x under the pointer; above 1: more is seen
-  void bandDragged(double from, double to);    ///< with Shift and the left button
-  void stepped(int steps);  ///< by the arrow keys; Page up and down go by 5, Home and End by 1000
+  void picked(double x);                     ///< pressed or dragged to with the left button
+  void zoomed(double x, double factor);      ///< by the wheel, with x under the pointer; above 1: more is seen
+  void bandDragged(double from, double to);  ///< with Shift and the left button
+  void stepped(int steps);                   ///< by the arrow keys; Page up and down go by 5, Home and End by 1000
 
  protected:
   void paintEvent(QPaintEvent* event) override;

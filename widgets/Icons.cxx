@@ -88,6 +88,8 @@ class SymbolEngine : public QIconEngine {
 
 }  // namespace
 
-QIcon icon(Symbol symbol) { return QIcon(new SymbolEngine(symbol)); }
+QIcon icon(Symbol symbol) {
+  return QIcon(new SymbolEngine(symbol));
+}
 
 }  // namespace mien

@@ -1,5 +1,11 @@
 #include "LaboratoryDocks.h"
 
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QToolButton>
+#include <algorithm>
+
 #include "ContinuityPanel.h"
 #include "DeformationPanel.h"
 #include "FAPPlotPanel.h"
@@ -10,19 +16,12 @@
 #include "VectorPanel.h"
 #include "ViewFrame.h"
 
-#include <QAction>
-#include <QDockWidget>
-#include <QMainWindow>
-#include <QToolButton>
-
-#include <algorithm>
-
 namespace mien {
 
 namespace {
 
-constexpr int startHeight = 290;   // pixels: nine rows of a table, and half of a window of 800 left for the face
-constexpr int pictureHeight = 380;  // pixels of a dock that shows a face itself
+constexpr int startHeight = 290;      // pixels: nine rows of a table, and half of a window of 800 left for the face
+constexpr int pictureHeight = 380;    // pixels of a dock that shows a face itself
 constexpr double pictureShare = 0.4;  // of a higher window
 
 }  // namespace
@@ -46,7 +45,8 @@ QDockWidget* LaboratoryDocks::add(const QString& name, const QString& title, QWi
   auto* dock = new QDockWidget(title, window_);
   dock->setObjectName(name);
   dock->setWidget(panel);
-  dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+  dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
+                    QDockWidget::DockWidgetFloatable);
   window_->addDockWidget(Qt::BottomDockWidgetArea, dock);
   if (last_) window_->tabifyDockWidget(last_, dock);
   last_ = dock;
@@ -75,10 +75,12 @@ void LaboratoryDocks::addPlotButton(TimelinePanel* timeline) {
 }
 
 void LaboratoryDocks::addSkinButton(ViewFrame* frame) {
-  QToolButton* skin = frame->addButton("faceSkin", tr("Skin"), tr("The plain skin again, without the numbers that a dock shows on the face"));
+  QToolButton* skin = frame->addButton("faceSkin", tr("Skin"),
+                                       tr("The plain skin again, without the numbers that a dock shows on the face"));
   skin->setEnabled(false);
   connect(skin, &QToolButton::clicked, view_, [this] { view_->showOverlay(nullptr, true); });
-  connect(view_, &FaceView::overlayChanged, skin, [skin](const QObject* overlay) { skin->setEnabled(overlay != nullptr); });
+  connect(view_, &FaceView::overlayChanged, skin,
+          [skin](const QObject* overlay) { skin->setEnabled(overlay != nullptr); });
 }
 
 }  // namespace mien

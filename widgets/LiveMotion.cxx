@@ -1,12 +1,12 @@
 #include "LiveMotion.h"
 
-#include "BackgroundTask.h"
-#include "FaceMotion.h"
-#include "MotionVectorFigure.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+
+#include "BackgroundTask.h"
+#include "FaceMotion.h"
+#include "MotionVectorFigure.h"
 
 namespace mien {
 
@@ -21,7 +21,9 @@ std::shared_ptr<MotionVectorFigure> figureOf(const MotionResult& result, const M
   return std::make_shared<MotionVectorFigure>(std::vector<MotionVectorPanel>{{*result.field, {}}}, options);
 }
 
-const VectorPicture& pictureOf(const MotionVectorFigure& figure) { return figure.panels().front().picture(); }
+const VectorPicture& pictureOf(const MotionVectorFigure& figure) {
+  return figure.panels().front().picture();
+}
 
 bool outgrowsScale(const MotionVectorFigure& figure, const MotionVectorOptions& options) {
   const VectorPicture& picture = pictureOf(figure);
@@ -57,11 +59,16 @@ struct LiveMotion::Held {
 };
 
 LiveMotion::LiveMotion(QObject* parent)
-    : QObject(parent), motion_(std::make_shared<FaceMotion>()), held_(std::make_shared<Held>()), task_(new BackgroundTask(this)) {}
+    : QObject(parent),
+      motion_(std::make_shared<FaceMotion>()),
+      held_(std::make_shared<Held>()),
+      task_(new BackgroundTask(this)) {}
 
 LiveMotion::~LiveMotion() = default;
 
-void LiveMotion::fit() { held_->outdated = true; }
+void LiveMotion::fit() {
+  held_->outdated = true;
+}
 
 void LiveMotion::request(const MotionRequest& request) {
   const auto work = [this, request, motion = motion_, held = held_](const BackgroundTask::Progress&) {
@@ -108,7 +115,8 @@ void LiveMotion::draw(Held& held, MotionResult& result) {
   result.figure = figure;
   VectorPictureOptions all = asked.picture;
   all.hidden = all.hidden || all.sampling.kind == VectorSampling::Kind::Every;
-  result.chosen = all.hidden == asked.picture.hidden ? pictureOf(*figure).chosen : drawnVectors(*result.field, all).chosen;
+  result.chosen =
+      all.hidden == asked.picture.hidden ? pictureOf(*figure).chosen : drawnVectors(*result.field, all).chosen;
 }
 
 }  // namespace mien

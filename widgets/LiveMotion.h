@@ -1,13 +1,12 @@
 #pragma once
 
-#include "FaceState.h"
-#include "MotionVectorOptions.h"
-
 #include <QObject>
 #include <QString>
-
 #include <memory>
 #include <vector>
+
+#include "FaceState.h"
+#include "MotionVectorOptions.h"
 
 namespace mien {
 
@@ -27,8 +26,8 @@ struct MotionRequest {
 
 /// What came out.
 struct MotionResult {
-  QString fault;  ///< why there is nothing else
-  MotionRequest request;        ///< with the region in its options
+  QString fault;          ///< why there is nothing else
+  MotionRequest request;  ///< with the region in its options
   std::shared_ptr<const MotionField> field;
   std::shared_ptr<const MotionVectorFigure> figure;
   std::vector<int> chosen;  ///< vectors of the region and the sampling, seen or not

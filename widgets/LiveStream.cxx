@@ -32,10 +32,13 @@ void LiveStream::read(int descriptor) {
     if (frames.empty()) continue;
     const double rate = input.sequence().framesPerSecond;
     const QString name = QString::fromStdString(input.sequence().name);
-    QMetaObject::invokeMethod(this, [this, rate, name, frames] { take(rate, name, frames); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, rate, name, frames] { take(rate, name, frames); }, Qt::QueuedConnection);
   }
   const QString fault = QString::fromStdString(input.fault());
-  if (!stop_) QMetaObject::invokeMethod(this, [this, fault] { finish(fault); }, Qt::QueuedConnection);
+  if (!stop_)
+    QMetaObject::invokeMethod(
+        this, [this, fault] { finish(fault); }, Qt::QueuedConnection);
 }
 
 void LiveStream::take(double framesPerSecond, const QString& name, const std::vector<FAPFrame>& frames) {
@@ -57,8 +60,10 @@ void LiveStream::finish(const QString& fault) {
   open_ = false;
   stop_ = true;
   if (started_) player_->setLoop(looped_);
-  if (!fault.isEmpty()) emit failed(fault, tr("The frames before it stay."));
-  else if (model_->isLive()) emit ended(tr("The stream has ended after %1 frames.").arg(model_->frameCount()), {});
+  if (!fault.isEmpty())
+    emit failed(fault, tr("The frames before it stay."));
+  else if (model_->isLive())
+    emit ended(tr("The stream has ended after %1 frames.").arg(model_->frameCount()), {});
 }
 
 }  // namespace mien

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QObject>
-
 #include <atomic>
 #include <thread>
 #include <vector>
@@ -13,8 +12,9 @@ namespace mien {
 class AnimationPlayer;
 class FaceModel;
 
-/// Plays a .fap stream while it is being written, such as standard input: the newest frame as it comes, at the stream's own
-/// rate where many come at once. A thread reads; it ends with the stream, a line that is wrong, another file or the object.
+/// Plays a .fap stream while it is being written, such as standard input: the newest frame as it comes, at the stream's
+/// own rate where many come at once. A thread reads; it ends with the stream, a line that is wrong, another file or the
+/// object.
 class LiveStream : public QObject {
   Q_OBJECT
  public:

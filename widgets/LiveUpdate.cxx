@@ -1,10 +1,10 @@
 #include "LiveUpdate.h"
 
-#include "FaceModel.h"
-
 #include <QEvent>
 #include <QTimer>
 #include <QWidget>
+
+#include "FaceModel.h"
 
 namespace mien {
 

@@ -1,15 +1,15 @@
 #include "MessageBar.h"
 
-#include "Icons.h"
-
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QStyle>
 #include <QTimer>
-#include <QVariant>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QVariant>
+
+#include "Icons.h"
 
 namespace mien {
 
@@ -21,7 +21,10 @@ constexpr int noteTime = 12000;    // ms, enough to read a sentence twice
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), sentence_(new QLabel(this)), details_(new QPlainTextEdit(this)), more_(new QToolButton(this)),
+    : QFrame(parent),
+      sentence_(new QLabel(this)),
+      details_(new QPlainTextEdit(this)),
+      more_(new QToolButton(this)),
       leaving_(new QTimer(this)) {
   setObjectName("messageBar");
   sentence_->setObjectName("messageSentence");
@@ -56,9 +59,13 @@ MessageBar::MessageBar(QWidget* parent)
   hide();
 }
 
-QString MessageBar::sentence() const { return sentence_->text(); }
+QString MessageBar::sentence() const {
+  return sentence_->text();
+}
 
-void MessageBar::showError(const QString& sentence, const QString& details) { show("error", sentence, details); }
+void MessageBar::showError(const QString& sentence, const QString& details) {
+  show("error", sentence, details);
+}
 
 void MessageBar::showNote(const QString& sentence, const QString& details) {
   show("note", sentence, details);

@@ -1,15 +1,14 @@
 #include "OriginChooser.h"
 
-#include "FaceModel.h"
-#include "FaceMotion.h"
-#include "Icons.h"
-
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QToolButton>
 #include <QVariant>
-
 #include <algorithm>
+
+#include "FaceModel.h"
+#include "FaceMotion.h"
+#include "Icons.h"
 
 namespace mien {
 
@@ -24,7 +23,8 @@ QString describe(const FaceModel& model) {
   if (model.frameCount() > 0) parts << OriginChooser::tr("frame %1").arg(model.frameNumber());
   for (const auto& [name, intensity] : state.expressions)
     parts << QString("%1 %2 %").arg(QString::fromStdString(name)).arg(qRound(100.0 * intensity));
-  if (!state.fapValues.empty()) parts << OriginChooser::tr("%n FAP(s)", nullptr, static_cast<int>(state.fapValues.size()));
+  if (!state.fapValues.empty())
+    parts << OriginChooser::tr("%n FAP(s)", nullptr, static_cast<int>(state.fapValues.size()));
   return parts.isEmpty() ? OriginChooser::tr("neutral") : parts.join(", ");
 }
 
@@ -34,7 +34,8 @@ OriginChooser::OriginChooser(FaceModel* model, QWidget* parent)
     : QWidget(parent), model_(model), choice_(new QComboBox(this)), unpin_(new QToolButton(this)) {
   choice_->setObjectName("vectorsAgainst");
   choice_->addItems({tr("Neutral face"), tr("Frame before")});
-  choice_->setToolTip(tr("Where the vectors start: the neutral face, the frame before of the animation, or a state that was pinned"));
+  choice_->setToolTip(
+      tr("Where the vectors start: the neutral face, the frame before of the animation, or a state that was pinned"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   auto* pin = new QToolButton(this);
   pin->setObjectName("vectorsPin");
@@ -81,7 +82,8 @@ FaceState OriginChooser::origin() const {
 
 QString OriginChooser::originName() const {
   if (pinned()) return choice_->currentText();
-  return choice_->currentIndex() == frameBefore && model_->frameCount() > 0 ? tr("the frame before") : tr("the neutral face");
+  return choice_->currentIndex() == frameBefore && model_->frameCount() > 0 ? tr("the frame before")
+                                                                            : tr("the neutral face");
 }
 
 void OriginChooser::pin() {
@@ -92,7 +94,8 @@ void OriginChooser::pin() {
 
 void OriginChooser::unpin() {
   const int number = choice_->currentData().toInt();
-  pins_.erase(std::remove_if(pins_.begin(), pins_.end(), [&](const auto& pin) { return pin.first == number; }), pins_.end());
+  pins_.erase(std::remove_if(pins_.begin(), pins_.end(), [&](const auto& pin) { return pin.first == number; }),
+              pins_.end());
   if (choice_->currentIndex() >= firstPin) choice_->removeItem(choice_->currentIndex());
 }
 

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "FaceState.h"
-
 #include <QString>
 #include <QWidget>
-
 #include <utility>
 #include <vector>
+
+#include "FaceState.h"
 
 class QComboBox;
 class QToolButton;

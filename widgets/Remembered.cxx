@@ -7,7 +7,9 @@ namespace mien {
 
 namespace {
 
-bool isActive() { return !QCoreApplication::organizationName().isEmpty(); }
+bool isActive() {
+  return !QCoreApplication::organizationName().isEmpty();
+}
 
 }  // namespace
 

@@ -1,8 +1,5 @@
 #include "RenderView.h"
 
-#include "FaceModel.h"
-#include "Theme.h"
-
 #include <vtkBoundaryCurveReader.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
@@ -15,9 +12,11 @@
 #include <vtkRenderer.h>
 
 #include <QEvent>
-
 #include <algorithm>
 #include <cmath>
+
+#include "FaceModel.h"
+#include "Theme.h"
 
 namespace mien {
 
@@ -115,9 +114,8 @@ void RenderView::observeMouse() {
   interactor()->SetInteractorStyle(style);
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(this);
-  observer->SetCallback([](vtkObject*, unsigned long, void* view, void*) {
-    static_cast<RenderView*>(view)->userMoved();
-  });
+  observer->SetCallback(
+      [](vtkObject*, unsigned long, void* view, void*) { static_cast<RenderView*>(view)->userMoved(); });
   style->AddObserver(vtkCommand::InteractionEvent, observer);
   style->AddObserver(vtkCommand::EndInteractionEvent, observer);
 }
@@ -139,9 +137,11 @@ void RenderView::fit() {
   redraw();
 }
 
-void RenderView::placeCamera(const std::array<double, 3>& focus, const std::array<double, 3>& direction, double distance) {
+void RenderView::placeCamera(const std::array<double, 3>& focus, const std::array<double, 3>& direction,
+                             double distance) {
   camera()->SetFocalPoint(focus.data());
-  camera()->SetPosition(focus[0] + distance * direction[0], focus[1] + distance * direction[1], focus[2] + distance * direction[2]);
+  camera()->SetPosition(focus[0] + distance * direction[0], focus[1] + distance * direction[1],
+                        focus[2] + distance * direction[2]);
   camera()->SetViewUp(0.0, 1.0, 0.0);
   userMoved();
   redraw();
@@ -196,7 +196,9 @@ void RenderView::unlink() {
   partner_ = nullptr;
 }
 
-vtkCamera* RenderView::camera() const { return renderer_->GetActiveCamera(); }
+vtkCamera* RenderView::camera() const {
+  return renderer_->GetActiveCamera();
+}
 
 void RenderView::redraw() {
   outdated_ = true;

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <QPointer>
 #include <QVTKOpenGLNativeWidget.h>
-
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <QPointer>
 #include <array>
 
 class vtkCamera;
@@ -28,7 +27,8 @@ class RenderView : public QVTKOpenGLNativeWidget {
   ~RenderView() override;
 
   void look(Side side);
-  /// Looks at `focus` (mm) from the end of `direction`, a unit vector, at a distance in mm; the user's own camera from then on.
+  /// Looks at `focus` (mm) from the end of `direction`, a unit vector, at a distance in mm; the user's own camera from
+  /// then on.
   void placeCamera(const std::array<double, 3>& focus, const std::array<double, 3>& direction, double distance);
   void fit();  ///< the side looked from last, the whole face in the view
 
@@ -38,7 +38,7 @@ class RenderView : public QVTKOpenGLNativeWidget {
   vtkCamera* camera() const;
 
   vtkRenderer* renderer() const { return renderer_; }
-  void redraw();  ///< with the next paint event
+  void redraw();            ///< with the next paint event
   virtual void useTheme();  ///< takes the colours of the current theme
 
  protected:

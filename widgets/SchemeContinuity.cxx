@@ -1,8 +1,5 @@
 #include "SchemeContinuity.h"
 
-#include "FaceSeams.h"
-#include "SurfaceParameters.h"
-
 #include <vtkBoundingBox.h>
 #include <vtkDataArray.h>
 #include <vtkPatchContinuityFilter.h>
@@ -14,9 +11,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "FaceSeams.h"
+#include "SurfaceParameters.h"
+
 namespace mien {
 
-SchemeContinuity::SchemeContinuity() { errors_.observe(filter_); }
+SchemeContinuity::SchemeContinuity() {
+  errors_.observe(filter_);
+}
 
 SchemeContinuity::~SchemeContinuity() = default;
 
@@ -32,11 +34,17 @@ std::string SchemeContinuity::measure(vtkPolyData* curves, const FaceSurfaceOpti
   return fault;
 }
 
-vtkTable* SchemeContinuity::summary() const { return filter_->GetSummary(); }
+vtkTable* SchemeContinuity::summary() const {
+  return filter_->GetSummary();
+}
 
-vtkPolyData* SchemeContinuity::seams() const { return filter_->GetOutput(); }
+vtkPolyData* SchemeContinuity::seams() const {
+  return filter_->GetOutput();
+}
 
-int SchemeContinuity::samples() const { return filter_->GetNumberOfSamples(); }
+int SchemeContinuity::samples() const {
+  return filter_->GetNumberOfSamples();
+}
 
 std::vector<std::string> SchemeContinuity::seamNames() const {
   std::vector<std::string> names;

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "ContinuityFigure.h"
-#include "FaceSurface.h"
-#include "PipelineErrors.h"
-
 #include <vtkNew.h>
 
 #include <array>
 #include <string>
 #include <vector>
+
+#include "ContinuityFigure.h"
+#include "FaceSurface.h"
+#include "PipelineErrors.h"
 
 class vtkPatchContinuityFilter;
 class vtkPolyData;
@@ -37,7 +37,8 @@ class SchemeContinuity {
   /// The point of a seam next to v (degrees), mm.
   std::array<double, 3> pointAt(int seam, double v) const;
 
-  /// The box around a seam's part on the front of the face, or around all of it when it has none: x, y, z from and to, mm.
+  /// The box around a seam's part on the front of the face, or around all of it when it has none: x, y, z from and to,
+  /// mm.
   std::array<double, 6> box(int seam) const;
 
  private:

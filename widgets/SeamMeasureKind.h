@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ChartAxis.h"
-
 #include <string>
 #include <vector>
+
+#include "ChartAxis.h"
 
 namespace mien {
 
@@ -12,8 +12,8 @@ struct SeamMeasureKind {
   std::string array;  ///< point array
   ChartAxis axis;     ///< title and unit
   std::string toolTip;
-  double leastRange;   ///< of colours; below it a difference cannot be seen on a face
-  double largestRange; ///< that there can be
+  double leastRange;    ///< of colours; below it a difference cannot be seen on a face
+  double largestRange;  ///< that there can be
 
   static const std::vector<SeamMeasureKind>& all();
 };

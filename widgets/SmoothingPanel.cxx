@@ -1,5 +1,21 @@
 #include "SmoothingPanel.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkPolyData.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
 #include "BackgroundTask.h"
 #include "BoundaryCurveData.h"
 #include "ExportButton.h"
@@ -13,36 +29,21 @@
 #include "SweepFigure.h"
 #include "Theme.h"
 
-#include <vtkAlgorithm.h>
-#include <vtkPolyData.h>
-
-#include <QCheckBox>
-#include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QProgressBar>
-#include <QSignalBlocker>
-#include <QToolButton>
-#include <QVBoxLayout>
-
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-
 namespace mien {
 
 namespace {
 
-constexpr int rows = 112, columns = 80;  // of the sweep, as on the command line; doc/decisions.md has what a coarser one costs
+constexpr int rows = 112,
+              columns = 80;  // of the sweep, as on the command line; doc/decisions.md has what a coarser one costs
 constexpr int thumbnailRows = 83, thumbnailColumns = 80;
-constexpr double stepFactor = 1.1;      // of a, by an arrow key
+constexpr double stepFactor = 1.1;  // of a, by an arrow key
 constexpr double smallestSmoothing = 0.001;
 constexpr const char* startRange = "0.1:100:31log";
 constexpr size_t mostValues = 1000;
 
-std::vector<ThumbnailStrip::Picture> drawPictures(const FaceCurves& face, const FaceSurfaceOptions& surface, const std::vector<double>& values,
-                                                  const ThumbnailStyle& style, const BackgroundTask::Progress& goOn) {
+std::vector<ThumbnailStrip::Picture> drawPictures(const FaceCurves& face, const FaceSurfaceOptions& surface,
+                                                  const std::vector<double>& values, const ThumbnailStyle& style,
+                                                  const BackgroundTask::Progress& goOn) {
   std::vector<ThumbnailStrip::Picture> pictures;
   for (double a : values) {
     FaceSurfaceOptions options = surface;
@@ -67,26 +68,35 @@ std::vector<double> spread(std::vector<double> values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
   if (values.size() <= ThumbnailStrip::count) return values;
   std::vector<double> few;
-  for (int i = 0; i < ThumbnailStrip::count; ++i) few.push_back(values[i * (values.size() - 1) / (ThumbnailStrip::count - 1)]);
+  for (int i = 0; i < ThumbnailStrip::count; ++i)
+    few.push_back(values[i * (values.size() - 1) / (ThumbnailStrip::count - 1)]);
   return few;
 }
 
 }  // namespace
 
 bool SmoothingPanel::Subject::asksTheSameAs(const Subject& other) const {
-  return sweep.surface == other.sweep.surface && sweep.schemes == other.sweep.schemes && sweep.smoothing == other.sweep.smoothing;
+  return sweep.surface == other.sweep.surface && sweep.schemes == other.sweep.schemes &&
+         sweep.smoothing == other.sweep.smoothing;
 }
 
 bool SmoothingPanel::Subject::sameAs(const Subject& other) const {
-  return asksTheSameAs(other) &&
-         face.curves.points.rows() == other.face.curves.points.rows() && face.curves.points == other.face.curves.points;
+  return asksTheSameAs(other) && face.curves.points.rows() == other.face.curves.points.rows() &&
+         face.curves.points == other.face.curves.points;
 }
 
 SmoothingPanel::SmoothingPanel(FaceModel* model, QWidget* parent)
-    : QWidget(parent), model_(model), figure_(new FigureView("smoothingFigure", FigureView::Marker::Line, this)),
-      thumbnails_(new ThumbnailStrip(this)), sweep_(new BackgroundTask(this)), pictures_(new BackgroundTask(this)),
-      measure_(new QComboBox(this)), allSchemes_(new QCheckBox(tr("All schemes"), this)), range_(new QLineEdit(startRange, this)),
-      progress_(new QProgressBar(this)), cancel_(new QToolButton(this)) {
+    : QWidget(parent),
+      model_(model),
+      figure_(new FigureView("smoothingFigure", FigureView::Marker::Line, this)),
+      thumbnails_(new ThumbnailStrip(this)),
+      sweep_(new BackgroundTask(this)),
+      pictures_(new BackgroundTask(this)),
+      measure_(new QComboBox(this)),
+      allSchemes_(new QCheckBox(tr("All schemes"), this)),
+      range_(new QLineEdit(startRange, this)),
+      progress_(new QProgressBar(this)),
+      cancel_(new QToolButton(this)) {
   setObjectName("smoothingPanel");
   parseNumberRange(startRange, values_);
   describeControls();
@@ -112,7 +122,8 @@ void SmoothingPanel::describeControls() {
   allSchemes_->setObjectName("smoothingAllSchemes");
   allSchemes_->setToolTip(tr("A line for every scheme; a cross where its surface is no face any more"));
   range_->setObjectName("smoothingRange");
-  range_->setToolTip(tr("The values of a (no unit): 0.1:100:31log is 31 values, each the same factor larger; 0.5,1,2 a list"));
+  range_->setToolTip(
+      tr("The values of a (no unit): 0.1:100:31log is 31 values, each the same factor larger; 0.5,1,2 a list"));
   range_->setMaximumWidth(130);
   progress_->setObjectName("smoothingProgress");
   progress_->setToolTip(tr("How much of the sweep is computed"));
@@ -145,7 +156,8 @@ QWidget* SmoothingPanel::controls() {
   row->addWidget(progress_);
   row->addWidget(cancel_);
   row->addStretch();
-  row->addWidget(new ExportButton("smoothingExport", model_, [this] { return sweepFigureOfAll(); }, [this] { return numbers(); }, box));
+  row->addWidget(new ExportButton(
+      "smoothingExport", model_, [this] { return sweepFigureOfAll(); }, [this] { return numbers(); }, box));
   return box;
 }
 
@@ -166,14 +178,17 @@ void SmoothingPanel::connectControls() {
   connect(sweep_, &BackgroundTask::runningChanged, this, [this](bool running) {
     progress_->setVisible(running);
     cancel_->setVisible(running);
-    if (!running && records_.empty()) figure_->setHint(tr("The sweep was cancelled; press Return in the range of a to start it again."));
+    if (!running && records_.empty())
+      figure_->setHint(tr("The sweep was cancelled; press Return in the range of a to start it again."));
   });
-  connect(model_, &FaceModel::stateChanged, this, [this] { figure_->setMarked(model_->state().surface.smoothing.front()); });
+  connect(model_, &FaceModel::stateChanged, this,
+          [this] { figure_->setMarked(model_->state().surface.smoothing.front()); });
 }
 
 /// Three decimals, as the surface dock shows it.
 void SmoothingPanel::setSmoothing(double a) {
-  const double rounded = std::clamp(std::round(1000.0 * a) / 1000.0, smallestSmoothing, FaceSurfaceOptions::largestSmoothing);
+  const double rounded =
+      std::clamp(std::round(1000.0 * a) / 1000.0, smallestSmoothing, FaceSurfaceOptions::largestSmoothing);
   model_->change([rounded](FaceState& state) { state.surface.smoothing.fill(rounded); });
 }
 
@@ -186,7 +201,8 @@ void SmoothingPanel::step(int steps) {
 bool SmoothingPanel::readRange() {
   std::vector<double> values;
   std::string fault = parseNumberRange(range_->text().toStdString(), values);
-  if (fault.empty() && values.size() > mostValues) fault = "more than 1000 values of a are too many to wait for; give fewer";
+  if (fault.empty() && values.size() > mostValues)
+    fault = "more than 1000 values of a are too many to wait for; give fewer";
   for (double a : values)
     if (fault.empty() && !(a > 0.0 && a <= FaceSurfaceOptions::largestSmoothing))
       fault = "a = " + std::to_string(a) + " is outside 0 < a <= 1000; change the range";
@@ -228,25 +244,34 @@ void SmoothingPanel::refresh() {
 void SmoothingPanel::startSweep(bool afterTheLast) {
   const Subject subject = subject_;
   cancelled_ = false;
-  sweep_->start([this, subject](const BackgroundTask::Progress& goOn) -> std::function<void()> {
-    const auto records = smoothingSweep(subject.face, subject.sweep, goOn);
-    if (!records) return {};
-    return [this, found = *records, sweep = subject.sweep] {
-      records_ = found;
-      swept_ = sweep;
-      showFigure();
-    };
-  }, afterTheLast ? BackgroundTask::Before::Finishes : BackgroundTask::Before::Ends);
+  sweep_->start(
+      [this, subject](const BackgroundTask::Progress& goOn) -> std::function<void()> {
+        const auto records = smoothingSweep(subject.face, subject.sweep, goOn);
+        if (!records) return {};
+        return [this, found = *records, sweep = subject.sweep] {
+          records_ = found;
+          swept_ = sweep;
+          showFigure();
+        };
+      },
+      afterTheLast ? BackgroundTask::Before::Finishes : BackgroundTask::Before::Ends);
 }
 
 void SmoothingPanel::startThumbnails() {
   const Theme& theme = Theme::current();
-  ThumbnailStyle style{QSize(ThumbnailStrip::side * 3 / 4, ThumbnailStrip::side) * devicePixelRatioF(), {}, {}, theme.skin, theme.window};
+  ThumbnailStyle style{QSize(ThumbnailStrip::side * 3 / 4, ThumbnailStrip::side) * devicePixelRatioF(),
+                       {},
+                       {},
+                       theme.skin,
+                       theme.window};
   style.frame(subject_.face);
-  pictures_->start([this, subject = subject_, style](const BackgroundTask::Progress& goOn) -> std::function<void()> {
-    const auto pictures = drawPictures(subject.face, subject.sweep.surface, spread(subject.sweep.smoothing), style, goOn);
-    return [this, pictures] { thumbnails_->setPictures(pictures); };
-  }, BackgroundTask::Before::Finishes);
+  pictures_->start(
+      [this, subject = subject_, style](const BackgroundTask::Progress& goOn) -> std::function<void()> {
+        const auto pictures =
+            drawPictures(subject.face, subject.sweep.surface, spread(subject.sweep.smoothing), style, goOn);
+        return [this, pictures] { thumbnails_->setPictures(pictures); };
+      },
+      BackgroundTask::Before::Finishes);
 }
 
 Figure SmoothingPanel::sweepFigureOfAll() const {

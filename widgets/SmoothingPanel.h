@@ -1,11 +1,11 @@
 #pragma once
 
+#include <QWidget>
+
 #include "FaceCurves.h"
 #include "Figure.h"
 #include "SmoothingSweep.h"
 #include "ThumbnailStrip.h"
-
-#include <QWidget>
 
 class QCheckBox;
 class QComboBox;
@@ -19,8 +19,9 @@ class BackgroundTask;
 class FaceModel;
 class FigureView;
 
-/// How does the smoothing parameter a change the face? A measure over a, with a cursor that sets a; all schemes if wanted;
-/// small pictures of the face at a few a. Computed off the GUI thread, and anew only when something other than a changes.
+/// How does the smoothing parameter a change the face? A measure over a, with a cursor that sets a; all schemes if
+/// wanted; small pictures of the face at a few a. Computed off the GUI thread, and anew only when something other than
+/// a changes.
 class SmoothingPanel : public QWidget {
   Q_OBJECT
  public:

@@ -1,14 +1,5 @@
 #include "SpectrumPanel.h"
 
-#include "ExportButton.h"
-#include "FaceModel.h"
-#include "FaceView.h"
-#include "FigureView.h"
-#include "LiveUpdate.h"
-#include "SpectrumFigure.h"
-#include "SurfaceParameters.h"
-#include "TableText.h"
-
 #include <vtkDoubleArray.h>
 #include <vtkGeometryFilter.h>
 #include <vtkMath.h>
@@ -27,9 +18,17 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
-
 #include <algorithm>
 #include <cmath>
+
+#include "ExportButton.h"
+#include "FaceModel.h"
+#include "FaceView.h"
+#include "FigureView.h"
+#include "LiveUpdate.h"
+#include "SpectrumFigure.h"
+#include "SurfaceParameters.h"
+#include "TableText.h"
 
 namespace mien {
 
@@ -43,8 +42,8 @@ std::vector<ModeMeasures> measuresOf(vtkTable* table) {
   std::vector<ModeMeasures> all;
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row) {
     const auto number = [&](const char* name) { return table->GetValueByName(row, name).ToDouble(); };
-    all.push_back({table->GetValueByName(row, "mode").ToString(), number("rms_mm"), number("max_mm"), number("energy_share"),
-                   number("cumulative_rms_error_mm")});
+    all.push_back({table->GetValueByName(row, "mode").ToString(), number("rms_mm"), number("max_mm"),
+                   number("energy_share"), number("cumulative_rms_error_mm")});
   }
   return all;
 }
@@ -88,9 +87,15 @@ double roundedUp(double value) {
 }  // namespace
 
 SpectrumPanel::SpectrumPanel(FaceModel* model, FaceView* view, QWidget* parent)
-    : QWidget(parent), model_(model), figure_(new FigureView("spectrumFigure", FigureView::Marker::Band, this)),
-      overlay_(new FaceOverlay(view, this)), measure_(new QComboBox(this)), mode_(new QComboBox(this)),
-      partial_(new QCheckBox(tr("Partial sum"), this)), onFace_(new QToolButton(this)), numbers_(new QLabel(this)) {
+    : QWidget(parent),
+      model_(model),
+      figure_(new FigureView("spectrumFigure", FigureView::Marker::Band, this)),
+      overlay_(new FaceOverlay(view, this)),
+      measure_(new QComboBox(this)),
+      mode_(new QComboBox(this)),
+      partial_(new QCheckBox(tr("Partial sum"), this)),
+      onFace_(new QToolButton(this)),
+      numbers_(new QLabel(this)) {
   setObjectName("spectrumPanel");
   errors_.observe(modes_);
   auto* column = new QVBoxLayout(this);
@@ -108,9 +113,12 @@ SpectrumPanel::~SpectrumPanel() = default;
 QWidget* SpectrumPanel::controls() {
   measure_->setObjectName("spectrumMeasure");
   measure_->addItems({tr("RMS (mm)"), tr("Share of the energy")});
-  measure_->setToolTip(tr("What the bars show: the RMS length of S<sub>n</sub>(u, v) in mm, or its square's share of the sum over all modes (no unit)"));
+  measure_->setToolTip(
+      tr("What the bars show: the RMS length of S<sub>n</sub>(u, v) in mm, or its square's share of the sum over all "
+         "modes (no unit)"));
   mode_->setObjectName("spectrumMode");
-  mode_->setToolTip(tr("The Fourier mode n; modes up to N are solved exactly, all others follow together as the remainder"));
+  mode_->setToolTip(
+      tr("The Fourier mode n; modes up to N are solved exactly, all others follow together as the remainder"));
   onFace_->setObjectName("spectrumOnFace");
   onFace_->setText(tr("On the face"));
   onFace_->setCheckable(true);
@@ -132,8 +140,9 @@ QWidget* SpectrumPanel::controls() {
   row->addWidget(onFace_);
   row->addWidget(partial_);
   row->addStretch();
-  row->addWidget(new ExportButton("spectrumExport", model_, [this] { return fullFigure(); },
-                                  [this] { return rowCount() ? tableText(modes_->GetSpectrum()) : std::string(); }, box));
+  row->addWidget(new ExportButton(
+      "spectrumExport", model_, [this] { return fullFigure(); },
+      [this] { return rowCount() ? tableText(modes_->GetSpectrum()) : std::string(); }, box));
   return box;
 }
 
@@ -147,7 +156,9 @@ void SpectrumPanel::connectControls() {
   connect(overlay_, &FaceOverlay::shownChanged, onFace_, &QToolButton::setChecked);
 }
 
-int SpectrumPanel::rowCount() const { return static_cast<int>(modes_->GetSpectrum()->GetNumberOfRows()); }
+int SpectrumPanel::rowCount() const {
+  return static_cast<int>(modes_->GetSpectrum()->GetNumberOfRows());
+}
 
 void SpectrumPanel::choose(int row) {
   if (rowCount() == 0) return;
@@ -157,7 +168,8 @@ void SpectrumPanel::choose(int row) {
   paintFace();
 }
 
-/// Runs the filter; the model shows only states that have a surface, so a fault here is a rare one, and said in the dock.
+/// Runs the filter; the model shows only states that have a surface, so a fault here is a rare one, and said in the
+/// dock.
 bool SpectrumPanel::measure() {
   const FaceSurfaceOptions& surface = model_->state().surface;
   const int rows = surface.modes + (surface.remainder ? 2 : 1);
@@ -220,10 +232,12 @@ void SpectrumPanel::showNumbers() {
   const QSignalBlocker quiet(mode_);
   mode_->setCurrentIndex(row_);
   figure_->setMarked(row_);
-  const QString name = mode.mode == "remainder" ? tr("Remainder") : tr("Mode %1").arg(QString::fromStdString(mode.mode));
+  const QString name =
+      mode.mode == "remainder" ? tr("Remainder") : tr("Mode %1").arg(QString::fromStdString(mode.mode));
   numbers_->setText(tr("%1: RMS %2 mm, at most %3 mm, %4 % of the energy; the sum up to here lacks %5 mm RMS")
                         .arg(name, QString::number(mode.rms, 'g', 4), QString::number(mode.max, 'g', 4),
-                             QString::number(100.0 * mode.energyShare, 'g', 3), QString::number(mode.cumulativeError, 'g', 3)));
+                             QString::number(100.0 * mode.energyShare, 'g', 3),
+                             QString::number(mode.cumulativeError, 'g', 3)));
 }
 
 /// Colours keep their meaning while a mode stays chosen: the range grows when it must, and never shrinks.

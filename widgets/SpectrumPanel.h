@@ -1,12 +1,12 @@
 #pragma once
 
-#include "FaceOverlay.h"
-#include "Figure.h"
-#include "PipelineErrors.h"
+#include <vtkNew.h>
 
 #include <QWidget>
 
-#include <vtkNew.h>
+#include "FaceOverlay.h"
+#include "Figure.h"
+#include "PipelineErrors.h"
 
 class QCheckBox;
 class QComboBox;
@@ -19,8 +19,8 @@ namespace mien {
 class FaceModel;
 class FigureView;
 
-/// What does each Fourier mode add to the face? A bar per mode and for the remainder, the error of partial sums, and the
-/// contribution of a chosen mode on the face, in mm.
+/// What does each Fourier mode add to the face? A bar per mode and for the remainder, the error of partial sums, and
+/// the contribution of a chosen mode on the face, in mm.
 class SpectrumPanel : public QWidget {
   Q_OBJECT
  public:

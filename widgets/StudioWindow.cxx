@@ -1,20 +1,5 @@
 #include "StudioWindow.h"
 
-#include "AnimationPlayer.h"
-#include "BundledFile.h"
-#include "CurveView.h"
-#include "ExpressionPanel.h"
-#include "FAPPanel.h"
-#include "FaceModel.h"
-#include "LaboratoryDocks.h"
-#include "LiveStream.h"
-#include "MessageBar.h"
-#include "SurfacePanel.h"
-#include "Theme.h"
-#include "TimelinePanel.h"
-#include "ViewFrame.h"
-#include "WindowLayout.h"
-
 #include <QAction>
 #include <QApplication>
 #include <QButtonGroup>
@@ -29,6 +14,21 @@
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
+
+#include "AnimationPlayer.h"
+#include "BundledFile.h"
+#include "CurveView.h"
+#include "ExpressionPanel.h"
+#include "FAPPanel.h"
+#include "FaceModel.h"
+#include "LaboratoryDocks.h"
+#include "LiveStream.h"
+#include "MessageBar.h"
+#include "SurfacePanel.h"
+#include "Theme.h"
+#include "TimelinePanel.h"
+#include "ViewFrame.h"
+#include "WindowLayout.h"
 
 namespace mien {
 
@@ -47,8 +47,12 @@ QString droppedFile(const QMimeData* data) {
 }  // namespace
 
 StudioWindow::StudioWindow()
-    : model_(new FaceModel(this)), player_(new AnimationPlayer(model_, this)), face_(new FaceView(model_)),
-      curves_(new CurveView(model_)), messages_(new MessageBar), laboratory_(new LaboratoryDocks(model_, player_, face_, this)) {
+    : model_(new FaceModel(this)),
+      player_(new AnimationPlayer(model_, this)),
+      face_(new FaceView(model_)),
+      curves_(new CurveView(model_)),
+      messages_(new MessageBar),
+      laboratory_(new LaboratoryDocks(model_, player_, face_, this)) {
   setObjectName("studioWindow");
   setWindowTitle(tr("Mien Studio"));
   setAcceptDrops(true);
@@ -154,7 +158,8 @@ QDockWidget* StudioWindow::addDock(const QString& name, const QString& title, QW
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
   dock->setWidget(panel);
-  dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+  dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
+                    QDockWidget::DockWidgetFloatable);
   addDockWidget(Qt::LeftDockWidgetArea, dock);
   return dock;
 }
@@ -175,7 +180,8 @@ void StudioWindow::addFileMenu() {
   menu->addSeparator();
   menu->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence::Quit);
   QMenu* face = menuBar()->addMenu(tr("F&ace"));
-  QAction* play = face->addAction(tr("&Play or pause"), player_, [this] { player_->setPlaying(!player_->isPlaying()); });
+  QAction* play =
+      face->addAction(tr("&Play or pause"), player_, [this] { player_->setPlaying(!player_->isPlaying()); });
   play->setShortcut(Qt::CTRL | Qt::Key_Space);
   QAction* reset = face->addAction(tr("&Neutral face"), this, &StudioWindow::resetAll);
   reset->setShortcut(Qt::CTRL | Qt::Key_0);
@@ -211,13 +217,14 @@ void StudioWindow::setDark(bool dark) {
 }
 
 void StudioWindow::showAbout() {
-  QMessageBox::about(this, tr("About Mien Studio"),
-                     tr("<h3>Mien %1</h3><p>PDE face surfaces and MPEG-4 facial animation.</p>"
-                        "<p>Y. Sheng, P. Willis, G. Gonzalez Castro, H. Ugail: Facial geometry parameterisation based on "
-                        "partial differential equations. Mathematical and Computer Modelling, 2011.</p>"
-                        "<p>M. Obaid, R. Mukundan, M. Billinghurst, M. Sagar: Facial expression representation using a "
-                        "quadratic deformation model. CGIV 2009.</p><p>BSD 3-Clause licence.</p>")
-                         .arg(QApplication::applicationVersion()));
+  QMessageBox::about(
+      this, tr("About Mien Studio"),
+      tr("<h3>Mien %1</h3><p>PDE face surfaces and MPEG-4 facial animation.</p>"
+         "<p>Y. Sheng, P. Willis, G. Gonzalez Castro, H. Ugail: Facial geometry parameterisation based on "
+         "partial differential equations. Mathematical and Computer Modelling, 2011.</p>"
+         "<p>M. Obaid, R. Mukundan, M. Billinghurst, M. Sagar: Facial expression representation using a "
+         "quadratic deformation model. CGIV 2009.</p><p>BSD 3-Clause licence.</p>")
+          .arg(QApplication::applicationVersion()));
 }
 
 bool StudioWindow::openAnimation(const QString& fileName) {
@@ -234,8 +241,9 @@ void StudioWindow::playStream(int descriptor) {
 }
 
 void StudioWindow::chooseAnimation() {
-  const QString name = QFileDialog::getOpenFileName(this, tr("Open animation"), QString(),
-                                                    tr("Facial animation and capture (*.fap *.FAP *.csv *.CSV);;All files (*)"));
+  const QString name =
+      QFileDialog::getOpenFileName(this, tr("Open animation"), QString(),
+                                   tr("Facial animation and capture (*.fap *.FAP *.csv *.CSV);;All files (*)"));
   if (!name.isEmpty()) openAnimation(name);
 }
 

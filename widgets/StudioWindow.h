@@ -1,8 +1,8 @@
 #pragma once
 
-#include "FaceView.h"
-
 #include <QMainWindow>
+
+#include "FaceView.h"
 
 namespace mien {
 

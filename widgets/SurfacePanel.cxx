@@ -1,8 +1,5 @@
 #include "SurfacePanel.h"
 
-#include "FaceModel.h"
-#include "FaceScheme.h"
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -11,6 +8,9 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+
+#include "FaceModel.h"
+#include "FaceScheme.h"
 
 namespace mien {
 
@@ -22,8 +22,13 @@ constexpr int mostRows = 2000, mostColumns = 2000;  // what a picture can use; t
 }  // namespace
 
 SurfacePanel::SurfacePanel(FaceModel* model, QWidget* parent)
-    : QWidget(parent), model_(model), scheme_(new QComboBox(this)), smoothing_(new QDoubleSpinBox(this)),
-      modes_(new QSpinBox(this)), rows_(new QSpinBox(this)), columns_(new QSpinBox(this)),
+    : QWidget(parent),
+      model_(model),
+      scheme_(new QComboBox(this)),
+      smoothing_(new QDoubleSpinBox(this)),
+      modes_(new QSpinBox(this)),
+      rows_(new QSpinBox(this)),
+      columns_(new QSpinBox(this)),
       remainder_(new QCheckBox(tr("Remainder"), this)) {
   setObjectName("surfacePanel");
   auto* form = new QFormLayout(this);
@@ -57,9 +62,8 @@ void SurfacePanel::addSmoothing(QFormLayout* form) {
   smoothing_->setRange(smallestSmoothing, FaceSurfaceOptions::largestSmoothing);
   smoothing_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   smoothing_->setKeyboardTracking(false);
-  connect(smoothing_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this](double a) {
-    model_->change([a](FaceState& state) { state.surface.smoothing.fill(a); });
-  });
+  connect(smoothing_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+          [this](double a) { model_->change([a](FaceState& state) { state.surface.smoothing.fill(a); }); });
   form->addRow(tr("Smoothing a"), smoothing_);
 }
 
@@ -69,13 +73,12 @@ void SurfacePanel::addModes(QFormLayout* form) {
   modes_->setRange(0, model_->pointsPerCurve() / 2);
   modes_->setKeyboardTracking(false);
   remainder_->setObjectName("surfaceRemainder");
-  remainder_->setToolTip(tr("Whether all harmonics above N follow as one remainder, so that the surface meets its curves"));
-  connect(modes_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this](int modes) {
-    model_->change([modes](FaceState& state) { state.surface.modes = modes; });
-  });
-  connect(remainder_, &QCheckBox::toggled, this, [this](bool on) {
-    model_->change([on](FaceState& state) { state.surface.remainder = on; });
-  });
+  remainder_->setToolTip(
+      tr("Whether all harmonics above N follow as one remainder, so that the surface meets its curves"));
+  connect(modes_, QOverload<int>::of(&QSpinBox::valueChanged), this,
+          [this](int modes) { model_->change([modes](FaceState& state) { state.surface.modes = modes; }); });
+  connect(remainder_, &QCheckBox::toggled, this,
+          [this](bool on) { model_->change([on](FaceState& state) { state.surface.remainder = on; }); });
   auto* row = new QHBoxLayout;
   row->addWidget(modes_, 1);
   row->addWidget(remainder_);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "FaceSurface.h"
-
 #include <string>
+
+#include "FaceSurface.h"
 
 class vtkPDEFaceAlgorithm;
 

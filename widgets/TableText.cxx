@@ -31,7 +31,8 @@ std::string tableText(vtkTable* table) {
     for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column) {
       text << (column ? "," : "");
       const auto* numbers = vtkDataArray::SafeDownCast(table->GetColumn(column));
-      numbers ? text << const_cast<vtkDataArray*>(numbers)->GetTuple1(row) : text << quoted(table->GetValue(row, column).ToString());
+      numbers ? text << const_cast<vtkDataArray*>(numbers)->GetTuple1(row)
+              : text << quoted(table->GetValue(row, column).ToString());
     }
     text << "\n";
   }

@@ -134,7 +134,9 @@ const Theme& Theme::of(Kind kind) {
   return kind == Kind::Light ? lightTheme : darkTheme;
 }
 
-const Theme& Theme::current() { return applied ? *applied : of(Kind::Light); }
+const Theme& Theme::current() {
+  return applied ? *applied : of(Kind::Light);
+}
 
 void Theme::apply(Kind kind, QApplication& application) {
   applied = &of(kind);

@@ -2,7 +2,6 @@
 
 #include <QImage>
 #include <QWidget>
-
 #include <vector>
 
 class QToolButton;
@@ -20,7 +19,7 @@ class ThumbnailStrip : public QWidget {
   };
 
   static constexpr int count = 5;
-  static constexpr int side = 112; ///< pixels of a picture's height
+  static constexpr int side = 112;  ///< pixels of a picture's height
 
   explicit ThumbnailStrip(QWidget* parent = nullptr);
 

@@ -1,19 +1,19 @@
 #include "TimelinePanel.h"
 
-#include "AnimationPlayer.h"
-#include "ValueSlider.h"
-#include "FaceModel.h"
-#include "Icons.h"
-
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSpinBox>
-#include <QVariant>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <QVariant>
+
+#include "AnimationPlayer.h"
+#include "FaceModel.h"
+#include "Icons.h"
+#include "ValueSlider.h"
 
 namespace mien {
 
@@ -39,8 +39,14 @@ QLabel* faintLabel(QWidget* parent, const char* name) {
 }  // namespace
 
 TimelinePanel::TimelinePanel(FaceModel* model, AnimationPlayer* player, QWidget* parent)
-    : QFrame(parent), model_(model), player_(player), position_(new ValueSlider(this)), frame_(new QSpinBox(this)),
-      title_(faintLabel(this, "timelineTitle")), time_(faintLabel(this, "timelineTime")), rate_(faintLabel(this, "timelineRate")),
+    : QFrame(parent),
+      model_(model),
+      player_(player),
+      position_(new ValueSlider(this)),
+      frame_(new QSpinBox(this)),
+      title_(faintLabel(this, "timelineTitle")),
+      time_(faintLabel(this, "timelineTime")),
+      rate_(faintLabel(this, "timelineRate")),
       lower_(new QHBoxLayout) {
   setObjectName("card");
   buildButtons();
@@ -69,7 +75,9 @@ TimelinePanel::TimelinePanel(FaceModel* model, AnimationPlayer* player, QWidget*
   showAnimation();
 }
 
-void TimelinePanel::addButton(QToolButton* button) { lower_->addWidget(button); }
+void TimelinePanel::addButton(QToolButton* button) {
+  lower_->addWidget(button);
+}
 
 void TimelinePanel::buildButtons() {
   open_ = toolButton(this, "timelineOpen", Symbol::Open, tr("Open a .fap animation (Ctrl+O)"));
@@ -106,7 +114,8 @@ void TimelinePanel::buildRange() {
   };
   in_ = make("timelineIn", tr("In"), tr("The range to play begins at this frame; again: at the first"));
   out_ = make("timelineOut", tr("Out"), tr("The range to play ends at this frame; again: at the last"));
-  smooth_ = make("timelineSmooth", tr("Interpolate"), tr("Show the face between two frames too, as their linear mixture; else only the frames of the file"));
+  smooth_ = make("timelineSmooth", tr("Interpolate"),
+                 tr("Show the face between two frames too, as their linear mixture; else only the frames of the file"));
 }
 
 void TimelinePanel::buildSpeed() {
@@ -121,11 +130,13 @@ void TimelinePanel::buildSpeed() {
 void TimelinePanel::connectRange() {
   connect(in_, &QToolButton::clicked, this, [this](bool on) {
     const int frame = model_->frameIndex();
-    player_->setRange(on ? frame : 0, on && frame > player_->rangeEnd() ? model_->frameCount() - 1 : player_->rangeEnd());
+    player_->setRange(on ? frame : 0,
+                      on && frame > player_->rangeEnd() ? model_->frameCount() - 1 : player_->rangeEnd());
   });
   connect(out_, &QToolButton::clicked, this, [this](bool on) {
     const int frame = model_->frameIndex();
-    player_->setRange(on && frame < player_->rangeBegin() ? 0 : player_->rangeBegin(), on ? frame : model_->frameCount() - 1);
+    player_->setRange(on && frame < player_->rangeBegin() ? 0 : player_->rangeBegin(),
+                      on ? frame : model_->frameCount() - 1);
   });
   connect(speed_, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
           [this] { player_->setSpeed(speed_->currentData().toDouble()); });
@@ -140,7 +151,8 @@ void TimelinePanel::showRange() {
   const QSignalBlocker quietIn(in_), quietOut(out_);
   in_->setChecked(player_->rangeBegin() > 0);
   out_->setChecked(player_->rangeEnd() + 1 < model_->frameCount());
-  position_->setRangeMarks(player_->hasRange() ? std::make_optional(qMakePair(player_->rangeBegin(), player_->rangeEnd())) : std::nullopt);
+  position_->setRangeMarks(
+      player_->hasRange() ? std::make_optional(qMakePair(player_->rangeBegin(), player_->rangeEnd())) : std::nullopt);
 }
 
 void TimelinePanel::connectAll() {
@@ -169,7 +181,9 @@ void TimelinePanel::showAnimation() {
     widget->setEnabled(count > 0);
   close_->setVisible(count > 0);
   const QFileInfo file(QString::fromStdString(model_->state().fapFile));
-  title_->setText(model_->isLive() ? tr("Live stream") : count > 0 ? file.fileName() : tr("No animation. Open a .fap file or drop one on the window."));
+  title_->setText(model_->isLive() ? tr("Live stream")
+                  : count > 0      ? file.fileName()
+                                   : tr("No animation. Open a .fap file or drop one on the window."));
   title_->setToolTip(count > 0 && !model_->isLive() ? file.absoluteFilePath() : QString());
   showFrame();
 }
@@ -191,6 +205,8 @@ void TimelinePanel::showFrame() {
                      .arg(model_->frameNumber()));
 }
 
-void TimelinePanel::showPlaying(bool playing) { play_->setIcon(icon(playing ? Symbol::Pause : Symbol::Play)); }
+void TimelinePanel::showPlaying(bool playing) {
+  play_->setIcon(icon(playing ? Symbol::Pause : Symbol::Play));
+}
 
 }  // namespace mien

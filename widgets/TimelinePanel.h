@@ -14,8 +14,8 @@ class AnimationPlayer;
 class ValueSlider;
 class FaceModel;
 
-/// Where in the animation are we? Play, pause, scrub and loop a .fap file or a range of it, at any speed, with or without
-/// pictures between its frames.
+/// Where in the animation are we? Play, pause, scrub and loop a .fap file or a range of it, at any speed, with or
+/// without pictures between its frames.
 class TimelinePanel : public QFrame {
   Q_OBJECT
  public:

@@ -4,7 +4,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
-
 #include <cmath>
 
 namespace mien {
@@ -60,7 +59,9 @@ void ValueSlider::paintEvent(QPaintEvent*) {
     painter.drawPolygon(QPolygonF({{x, y}, {x - 4, y + 6.5}, {x + 4, y + 6.5}}));
   }
   painter.setBrush(palette().color(QPalette::Base));
-  painter.setPen(QPen(palette().color(!isEnabled() ? QPalette::Mid : hasFocus() || isSliderDown() ? QPalette::Highlight : QPalette::PlaceholderText),
+  painter.setPen(QPen(palette().color(!isEnabled()                   ? QPalette::Mid
+                                      : hasFocus() || isSliderDown() ? QPalette::Highlight
+                                                                     : QPalette::PlaceholderText),
                       hasFocus() ? 2.2 : 1.4));
   painter.drawEllipse(QPointF(at, middle), handle - 1, handle - 1);
 }
@@ -87,7 +88,9 @@ void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
   if (isSliderDown()) setValue(valueAt(event->pos().x()));
 }
 
-void ValueSlider::mouseReleaseEvent(QMouseEvent*) { setSliderDown(false); }
+void ValueSlider::mouseReleaseEvent(QMouseEvent*) {
+  setSliderDown(false);
+}
 
 void ValueSlider::mouseDoubleClickEvent(QMouseEvent* event) {
   doubleClickResets_ ? setValue(0) : mousePressEvent(event);

@@ -1,8 +1,5 @@
 #include "VectorControls.h"
 
-#include "ColorTable.h"
-#include "RenderView.h"
-
 #include <vtkCamera.h>
 
 #include <QCheckBox>
@@ -12,8 +9,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-
 #include <cmath>
+
+#include "ColorTable.h"
+#include "RenderView.h"
 
 namespace mien {
 
@@ -22,13 +21,13 @@ namespace {
 using Length = MotionVectorOptions::Length;
 using Color = MotionVectorOptions::Color;
 
-constexpr int evenly = 0;                                       // of samplings
-constexpr int automatic = 0, trueToFace = 1, given = 2;         // of scales
-constexpr int givenRange = 1;                                   // of ranges
+constexpr int evenly = 0;                                                // of samplings
+constexpr int automatic = 0, trueToFace = 1, given = 2;                  // of scales
+constexpr int givenRange = 1;                                            // of ranges
 constexpr double leastSpacing = 1.0, mostSpacing = 50.0, spacing = 5.0;  // mm
-constexpr double mostStep = 50.0;                               // of vertices
-constexpr double leastScale = 0.01, mostScale = 1000.0;         // mm of motion per mm of arrow
-constexpr double leastRange = 0.01, mostRange = 1000.0;         // mm
+constexpr double mostStep = 50.0;                                        // of vertices
+constexpr double leastScale = 0.01, mostScale = 1000.0;                  // mm of motion per mm of arrow
+constexpr double leastRange = 0.01, mostRange = 1000.0;                  // mm
 const double diagonal = std::sqrt(0.5);
 
 struct View {
@@ -37,12 +36,13 @@ struct View {
 };
 
 const std::vector<View>& views() {
-  static const std::vector<View> all = {{QT_TRANSLATE_NOOP("VectorControls", "Front"), {0.0, 0.0, 1.0}},
-                                        {QT_TRANSLATE_NOOP("VectorControls", "45\u00b0"), {diagonal, 0.0, diagonal}},
-                                        {QT_TRANSLATE_NOOP("VectorControls", "Side"), {1.0, 0.0, 0.0}},
-                                        {QT_TRANSLATE_NOOP("VectorControls", "Other 45\u00b0"), {-diagonal, 0.0, diagonal}},
-                                        {QT_TRANSLATE_NOOP("VectorControls", "Other side"), {-1.0, 0.0, 0.0}},
-                                        {QT_TRANSLATE_NOOP("VectorControls", "Top"), {0.0, 1.0, 0.0}}};
+  static const std::vector<View> all = {
+      {QT_TRANSLATE_NOOP("VectorControls", "Front"), {0.0, 0.0, 1.0}},
+      {QT_TRANSLATE_NOOP("VectorControls", "45\u00b0"), {diagonal, 0.0, diagonal}},
+      {QT_TRANSLATE_NOOP("VectorControls", "Side"), {1.0, 0.0, 0.0}},
+      {QT_TRANSLATE_NOOP("VectorControls", "Other 45\u00b0"), {-diagonal, 0.0, diagonal}},
+      {QT_TRANSLATE_NOOP("VectorControls", "Other side"), {-1.0, 0.0, 0.0}},
+      {QT_TRANSLATE_NOOP("VectorControls", "Top"), {0.0, 1.0, 0.0}}};
   return all;
 }
 
@@ -54,7 +54,8 @@ QStringList mapNames() {
 
 }  // namespace
 
-VectorControls::VectorControls(RenderView* view, QWidget* origin, QWidget* parent) : QWidget(parent), other_(view), grid_(new QGridLayout(this)) {
+VectorControls::VectorControls(RenderView* view, QWidget* origin, QWidget* parent)
+    : QWidget(parent), other_(view), grid_(new QGridLayout(this)) {
   setObjectName("vectorControls");
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setVerticalSpacing(3);
@@ -116,34 +117,45 @@ void VectorControls::add(const QString& name, QWidget* first, QWidget* second) {
 void VectorControls::buildPicture() {
   QStringList names;
   for (const View& view : views()) names << tr(view.name);
-  view_ = list("vectorsView", names << tr("As the face"), tr("From where the vectors are seen, in orthogonal projection; As the face: from "
-                                                             "where the three-dimensional view shows the face"));
+  view_ = list("vectorsView", names << tr("As the face"),
+               tr("From where the vectors are seen, in orthogonal projection; As the face: from "
+                  "where the three-dimensional view shows the face"));
   QStringList regions = {tr("Whole face")};
-  for (const QString& region : QString::fromStdString(VectorRegion::names()).split(", ")) regions << region.left(1).toUpper() + region.mid(1);
+  for (const QString& region : QString::fromStdString(VectorRegion::names()).split(", "))
+    regions << region.left(1).toUpper() + region.mid(1);
   for (int patch = 0; patch < 9; ++patch) regions << QString("P%1").arg(patch);
-  region_ = list("vectorsRegion", regions, tr("Part of the face; or drag a rectangle in the figure, double click for the whole face"));
+  region_ = list("vectorsRegion", regions,
+                 tr("Part of the face; or drag a rectangle in the figure, double click for the whole face"));
   add(tr("View"), view_);
   add(tr("Region"), region_);
-  sampling_ = list("vectorsSampling", {tr("Evenly"), tr("Every n-th")},
-                   tr("Which of the vectors are drawn: evenly in the picture, at that distance, or every n-th vertex of the mesh"));
-  spacing_ = number("vectorsSpacing", leastSpacing, mostSpacing, spacing, tr(" mm"), tr("Distance between vectors, or n"));
+  sampling_ = list(
+      "vectorsSampling", {tr("Evenly"), tr("Every n-th")},
+      tr("Which of the vectors are drawn: evenly in the picture, at that distance, or every n-th vertex of the mesh"));
+  spacing_ =
+      number("vectorsSpacing", leastSpacing, mostSpacing, spacing, tr(" mm"), tr("Distance between vectors, or n"));
   add(tr("Sampling"), sampling_, spacing_);
 }
 
 void VectorControls::buildArrows() {
   length_ = list("vectorsLength", {tr("As seen"), tr("In space"), tr("Equal")},
-                 tr("Length of the arrows: the vector as the view shows it, its length in space, or equal, which shows directions"));
+                 tr("Length of the arrows: the vector as the view shows it, its length in space, or equal, which shows "
+                    "directions"));
   scale_ = list("vectorsScale", {tr("Automatic"), tr("As the face"), tr("Given")},
-                tr("Scale of the arrows: a round one that only grows while the face moves, as large as the face is drawn, or given"));
-  scaleValue_ = number("vectorsScaleValue", leastScale, mostScale, 1.0, tr(" mm/mm"), tr("mm of motion in one mm of arrow"));
+                tr("Scale of the arrows: a round one that only grows while the face moves, as large as the face is "
+                   "drawn, or given"));
+  scaleValue_ =
+      number("vectorsScaleValue", leastScale, mostScale, 1.0, tr(" mm/mm"), tr("mm of motion in one mm of arrow"));
   color_ = list("vectorsColor", {tr("Length"), tr("Towards viewer"), tr("None")},
                 tr("What the colours tell: length in space, the component towards the viewer, or nothing; in mm"));
-  map_ = list("vectorsColorMap", mapNames(), tr("Colour map; all are perceptually uniform and can be read without colour vision"));
+  map_ = list("vectorsColorMap", mapNames(),
+              tr("Colour map; all are perceptually uniform and can be read without colour vision"));
   range_ = list("vectorsRange", {tr("Automatic"), tr("Up to")},
                 tr("Range of the colours: one that only grows while the face moves, or up to a given length"));
   rangeValue_ = number("vectorsRangeValue", leastRange, mostRange, 10.0, tr(" mm"), tr("End of the colours, mm"));
-  head_ = check("vectorsHead", tr("Without the head's rotation"), tr("Leave out the rotation of the head (FAP 48 to 50)"));
-  whole_ = check("vectorsWhole", tr("Region within the whole face"), tr("Show a region within the whole face, not enlarged"));
+  head_ =
+      check("vectorsHead", tr("Without the head's rotation"), tr("Leave out the rotation of the head (FAP 48 to 50)"));
+  whole_ = check("vectorsWhole", tr("Region within the whole face"),
+                 tr("Show a region within the whole face, not enlarged"));
   seams_ = check("vectorsSeams", tr("Seams"), tr("The lines between the nine patches"));
   seams_->setChecked(true);
   add(tr("Arrows"), length_);
@@ -180,11 +192,17 @@ void VectorControls::followChoices() {
   emit changed();
 }
 
-bool VectorControls::followsView() const { return view_->currentIndex() == static_cast<int>(views().size()); }
+bool VectorControls::followsView() const {
+  return view_->currentIndex() == static_cast<int>(views().size());
+}
 
-QString VectorControls::viewName() const { return view_->currentText().toLower(); }
+QString VectorControls::viewName() const {
+  return view_->currentText().toLower();
+}
 
-bool VectorControls::headMotionRemoved() const { return head_->isChecked(); }
+bool VectorControls::headMotionRemoved() const {
+  return head_->isChecked();
+}
 
 void VectorControls::look(PicturePlane& plane) const {
   if (followsView()) {
@@ -226,7 +244,9 @@ std::string VectorControls::region() const {
 
 void VectorControls::setRegion(const Eigen::AlignedBox2d& rectangle) {
   const auto text = [](double value) { return QString::number(value, 'f', 1); };
-  const QString name = QStringList{text(rectangle.min().x()), text(rectangle.min().y()), text(rectangle.max().x()), text(rectangle.max().y())}.join(',');
+  const QString name = QStringList{text(rectangle.min().x()), text(rectangle.min().y()), text(rectangle.max().x()),
+                                   text(rectangle.max().y())}
+                           .join(',');
   {
     const QSignalBlocker quiet(region_);
     if (region_->findText(name) < 0) region_->addItem(name);
@@ -235,6 +255,8 @@ void VectorControls::setRegion(const Eigen::AlignedBox2d& rectangle) {
   region_->setCurrentIndex(region_->findText(name));
 }
 
-void VectorControls::setWholeRegion() { region_->setCurrentIndex(0); }
+void VectorControls::setWholeRegion() {
+  region_->setCurrentIndex(0);
+}
 
 }  // namespace mien

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "MotionVectorOptions.h"
-
 #include <QWidget>
+
+#include "MotionVectorOptions.h"
 
 class QCheckBox;
 class QComboBox;
@@ -14,8 +14,8 @@ namespace mien {
 class RenderView;
 
 /// How is a motion vector field drawn? Origin, view, region, sampling, arrows, colours, in two columns. Its widgets are
-/// named vectorsView, vectorsRegion, vectorsSampling, vectorsSpacing, vectorsScale, vectorsScaleValue, vectorsLength, vectorsColor,
-/// vectorsColorMap, vectorsRange, vectorsRangeValue, vectorsHead, vectorsWhole and vectorsSeams.
+/// named vectorsView, vectorsRegion, vectorsSampling, vectorsSpacing, vectorsScale, vectorsScaleValue, vectorsLength,
+/// vectorsColor, vectorsColorMap, vectorsRange, vectorsRangeValue, vectorsHead, vectorsWhole and vectorsSeams.
 class VectorControls : public QWidget {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class VectorControls : public QWidget {
   std::string region() const;  ///< as VectorRegion reads it; empty: the whole face
   QString viewName() const;    ///< in words
   bool headMotionRemoved() const;
-  bool followsView() const;    ///< whether the direction is that of the other view
+  bool followsView() const;  ///< whether the direction is that of the other view
 
   /// A rectangle in the picture, mm to the right and up; it joins the list of regions.
   void setRegion(const Eigen::AlignedBox2d& rectangle);
@@ -41,7 +41,8 @@ class VectorControls : public QWidget {
 
  private:
   QComboBox* list(const char* name, const QStringList& entries, const QString& tip);
-  QDoubleSpinBox* number(const char* name, double least, double most, double value, const QString& unit, const QString& tip);
+  QDoubleSpinBox* number(const char* name, double least, double most, double value, const QString& unit,
+                         const QString& tip);
   QCheckBox* check(const char* name, const QString& text, const QString& tip);
   void add(const QString& name, QWidget* first, QWidget* second = nullptr);
   void buildPicture();

@@ -1,5 +1,18 @@
 #include "VectorPanel.h"
 
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkEventQtSlotConnect.h>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
 #include "ExportButton.h"
 #include "FaceModel.h"
 #include "FaceStateText.h"
@@ -17,20 +30,6 @@
 #include "VectorControls.h"
 #include "VectorView.h"
 
-#include <vtkCamera.h>
-#include <vtkCommand.h>
-#include <vtkEventQtSlotConnect.h>
-
-#include <QEvent>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QScrollArea>
-#include <QToolButton>
-#include <QVBoxLayout>
-#include <QVariant>
-
-#include <algorithm>
-
 namespace mien {
 
 namespace {
@@ -43,8 +42,13 @@ constexpr double paperWidth = 85;  // mm, one column of a page
 }  // namespace
 
 VectorPanel::VectorPanel(FaceModel* model, RenderView* view, QWidget* parent)
-    : QWidget(parent), model_(model), origin_(new OriginChooser(model, this)), controls_(new VectorControls(view, origin_, this)),
-      figure_(new VectorView("vectorFigure", this)), numbers_(new QLabel(this)), motion_(new LiveMotion(this)),
+    : QWidget(parent),
+      model_(model),
+      origin_(new OriginChooser(model, this)),
+      controls_(new VectorControls(view, origin_, this)),
+      figure_(new VectorView("vectorFigure", this)),
+      numbers_(new QLabel(this)),
+      motion_(new LiveMotion(this)),
       live_(new LiveUpdate(model, this, [this] { refresh(); })) {
   setObjectName("vectorPanel");
   figure_->setToolTip(tr("Drag a rectangle to look at a region; double click or Escape for the whole face"));
@@ -77,7 +81,8 @@ QWidget* VectorPanel::side() {
   auto* last = new QHBoxLayout;
   last->addWidget(numbers_, 1);
   last->addWidget(fit);
-  last->addWidget(new ExportButton("vectorsExport", model_, [this] { return drawing(); }, [this] { return numbers(); }, page));
+  last->addWidget(new ExportButton(
+      "vectorsExport", model_, [this] { return drawing(); }, [this] { return numbers(); }, page));
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 4, 0);
   column->setSpacing(3);
@@ -162,7 +167,8 @@ QString VectorPanel::summary() const {
       .arg(QString::number(largest, 'f', 2), QString::number(mean, 'f', 2));
 }
 
-/// As the screen shows it, in the colours and the size of a page; scale and range chosen for that size where they are open.
+/// As the screen shows it, in the colours and the size of a page; scale and range chosen for that size where they are
+/// open.
 ExportDrawing VectorPanel::drawing() const {
   const MotionResult& result = motion_->result();
   ExportDrawing drawing;
@@ -173,11 +179,13 @@ ExportDrawing VectorPanel::drawing() const {
   options.width = paperWidth;
   options.height = 0.0;
   options.title = "Motion vectors";
-  options.caption = "Motion from " + result.request.originName + (result.request.headMotionRemoved ? ", without the motion of the head" : "") +
-                    "; view " + controls_->viewName().toStdString() + ".";
+  options.caption = "Motion from " + result.request.originName +
+                    (result.request.headMotionRemoved ? ", without the motion of the head" : "") + "; view " +
+                    controls_->viewName().toStdString() + ".";
   options.note = parameterText(result.request.moved.surface) + "; " + options.picture.sampling.text();
   if (!options.picture.region.isWhole()) options.note += "; region " + options.picture.region.name;
-  const auto figure = std::make_shared<MotionVectorFigure>(std::vector<MotionVectorPanel>{{*result.field, {}}}, options);
+  const auto figure =
+      std::make_shared<MotionVectorFigure>(std::vector<MotionVectorPanel>{{*result.field, {}}}, options);
   drawing.size = figure->size();
   drawing.paint = [figure](QPainter& painter) { figure->paint(painter); };
   drawing.title = options.title;

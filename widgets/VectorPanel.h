@@ -1,10 +1,10 @@
 #pragma once
 
-#include "ExportDrawing.h"
+#include <vtkNew.h>
 
 #include <QWidget>
 
-#include <vtkNew.h>
+#include "ExportDrawing.h"
 
 class QLabel;
 class vtkEventQtSlotConnect;

@@ -1,15 +1,14 @@
 #include "VectorView.h"
 
-#include "MotionVectorFigure.h"
-#include "ScreenFigure.h"
-#include "Theme.h"
-
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-
 #include <algorithm>
+
+#include "MotionVectorFigure.h"
+#include "ScreenFigure.h"
+#include "Theme.h"
 
 namespace mien {
 

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <QPixmap>
 #include <QWidget>
-
 #include <memory>
 #include <optional>
 

@@ -3,8 +3,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
-#include <QVariant>
 #include <QVBoxLayout>
+#include <QVariant>
 
 namespace mien {
 
@@ -46,6 +46,8 @@ QToolButton* ViewFrame::addToggle(const QString& objectName, const QString& text
   return button;
 }
 
-void ViewFrame::addGap() { header_->addSpacing(gap); }
+void ViewFrame::addGap() {
+  header_->addSpacing(gap);
+}
 
 }  // namespace mien

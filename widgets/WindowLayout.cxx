@@ -1,8 +1,8 @@
 #include "WindowLayout.h"
 
-#include "Remembered.h"
-
 #include <QMainWindow>
+
+#include "Remembered.h"
 
 namespace mien {
 

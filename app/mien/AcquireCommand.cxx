@@ -1,3 +1,10 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
 #include "Acquire.h"
 #include "Arguments.h"
 #include "Command.h"
@@ -6,14 +13,6 @@
 #include "LengthUnit.h"
 #include "OutputFile.h"
 #include "ProgressLine.h"
-
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-
-#include <cstdio>
-#include <iostream>
-#include <memory>
-#include <optional>
 
 namespace mien {
 
@@ -33,7 +32,8 @@ struct Options {
 double scaleOf(const Options& options) {
   if (!options.scale.empty()) {
     const double scale = parseNumber("--scale", options.scale);
-    if (!(scale > 0.0)) throw ValueFailure("--scale " + options.scale + " is not allowed; it is the number of mm in one unit, above 0");
+    if (!(scale > 0.0))
+      throw ValueFailure("--scale " + options.scale + " is not allowed; it is the number of mm in one unit, above 0");
     return scale;
   }
   if (options.units.empty()) return 0.0;
@@ -62,7 +62,8 @@ void check(const AcquireOptions& options) {
     throw ValueFailure("--points " + std::to_string(k) + " is not allowed; it is an even number from " +
                        std::to_string(smallestCurve) + " to " + std::to_string(largestCurve));
   if (options.triangles != 0 && options.triangles < 1000)
-    throw ValueFailure("--decimate " + std::to_string(options.triangles) + " is not allowed; it is 1000 triangles or more");
+    throw ValueFailure("--decimate " + std::to_string(options.triangles) +
+                       " is not allowed; it is 1000 triangles or more");
 }
 
 json matrixOf(const Similarity& motion) {
@@ -94,7 +95,8 @@ json jsonOf(const AcquireResult& result) {
                  {"landmarks", r.landmarksGiven ? "given" : "fitted"},
                  {"completed_landmarks", r.completedLandmarks}};
   if (r.fitted) object["fit"] = {{"rms_mm", r.fitDistance}, {"relief", r.fitRelief}, {"size", r.fitSize}};
-  if (r.fitted && r.landmarksGiven) object["landmark_residual"] = {{"rms_mm", r.landmarkRMS}, {"max_mm", r.landmarkMaximum}};
+  if (r.fitted && r.landmarksGiven)
+    object["landmark_residual"] = {{"rms_mm", r.landmarkRMS}, {"max_mm", r.landmarkMaximum}};
   object["frontal_distance"] = {{"rms_mm", result.frontalRMS}, {"max_mm", result.frontalMaximum}};
   object["crossings"] = result.crossings;
   return object;
@@ -103,18 +105,26 @@ json jsonOf(const AcquireResult& result) {
 void print(const AcquireResult& result) {
   const ScanReport& r = result.report;
   std::printf("%s\n", result.scan.c_str());
-  std::printf("  unit       %s%s (1 unit is %g mm; outer eye corners %.1f mm apart)\n", r.unit.empty() ? "of --scale" : r.unit.c_str(),
-              r.unitRecognised ? ", recognised" : ", given", r.millimetres, r.eyes);
-  std::printf("  pose       %s, %.1f degrees from the generic face's\n", r.moved ? "moved onto the generic face" : "kept as it is", r.turned * 180.0 / M_PI);
-  std::printf("  mesh       %d triangles, %d holes and rims; %d of %d parts left out, %d vertices merged, %d triangles without area\n", r.triangles, r.holes,
-              r.droppedParts, r.parts, r.mergedVertices, r.degenerateTriangles);
+  std::printf("  unit       %s%s (1 unit is %g mm; outer eye corners %.1f mm apart)\n",
+              r.unit.empty() ? "of --scale" : r.unit.c_str(), r.unitRecognised ? ", recognised" : ", given",
+              r.millimetres, r.eyes);
+  std::printf("  pose       %s, %.1f degrees from the generic face's\n",
+              r.moved ? "moved onto the generic face" : "kept as it is", r.turned * 180.0 / M_PI);
+  std::printf(
+      "  mesh       %d triangles, %d holes and rims; %d of %d parts left out, %d vertices merged, %d triangles without "
+      "area\n",
+      r.triangles, r.holes, r.droppedParts, r.parts, r.mergedVertices, r.degenerateTriangles);
   std::printf("  landmarks  %s", r.landmarksGiven ? "given" : "fitted");
   if (r.completedLandmarks > 0) std::printf(", %d of 68 completed from the generic face", r.completedLandmarks);
-  if (r.fitted && r.landmarksGiven) std::printf("; fitted ones lie %.2f mm RMS from them, at most %.2f", r.landmarkRMS, r.landmarkMaximum);
+  if (r.fitted && r.landmarksGiven)
+    std::printf("; fitted ones lie %.2f mm RMS from them, at most %.2f", r.landmarkRMS, r.landmarkMaximum);
   std::printf("\n");
   if (r.fitted)
-    std::printf("  fit        generic face %.2f mm RMS from the scan before bending, relief agrees by %.2f, size %.2f\n", r.fitDistance, r.fitRelief, r.fitSize);
-  std::printf("  distance   frontal spline face to scan %.3f mm RMS, at most %.2f\n", result.frontalRMS, result.frontalMaximum);
+    std::printf(
+        "  fit        generic face %.2f mm RMS from the scan before bending, relief agrees by %.2f, size %.2f\n",
+        r.fitDistance, r.fitRelief, r.fitSize);
+  std::printf("  distance   frontal spline face to scan %.3f mm RMS, at most %.2f\n", result.frontalRMS,
+              result.frontalMaximum);
   std::printf("  crossings  %d\n", result.crossings);
 }
 
@@ -122,19 +132,24 @@ void print(const AcquireResult& result) {
 void remark(const AcquireResult& result) {
   const ScanReport& r = result.report;
   if (r.unitRecognised && r.unit != "mm")
-    std::cerr << "mien: " << result.scan << ": lengths are taken as " << lengthUnit(r.unit)->fullName << ", which puts the outer eye corners "
-              << std::lround(r.eyes) << " mm apart; --units says otherwise\n";
-  if (r.moved) std::cerr << "mien: " << result.scan << ": the head was moved onto the generic face; --pose keep leaves it where it is\n";
+    std::cerr << "mien: " << result.scan << ": lengths are taken as " << lengthUnit(r.unit)->fullName
+              << ", which puts the outer eye corners " << std::lround(r.eyes) << " mm apart; --units says otherwise\n";
+  if (r.moved)
+    std::cerr << "mien: " << result.scan
+              << ": the head was moved onto the generic face; --pose keep leaves it where it is\n";
   if (!r.landmarksGiven)
-    std::cerr << "mien: " << result.scan << ": landmarks were fitted; --landmark-output writes them, so that they can be mended\n";
+    std::cerr << "mien: " << result.scan
+              << ": landmarks were fitted; --landmark-output writes them, so that they can be mended\n";
 }
 
 void deliver(const Options& options, const std::vector<AcquireResult>& results) {
   json all = json::array();
   for (const AcquireResult& result : results) {
     remark(result);
-    if (options.json) all.push_back(jsonOf(result));
-    else if (options.acquire.report) print(result);
+    if (options.json)
+      all.push_back(jsonOf(result));
+    else if (options.acquire.report)
+      print(result);
   }
   if (options.json) std::cout << all.dump(2) << "\n";
 }
@@ -148,7 +163,8 @@ void run(const Options& given) {
   OutputFile curves(options.outputFile);
   std::optional<OutputFile> landmarks, scan;
   options.outputFile = curves.temporaryName();
-  if (!options.landmarkOutput.empty()) options.landmarkOutput = landmarks.emplace(options.landmarkOutput).temporaryName();
+  if (!options.landmarkOutput.empty())
+    options.landmarkOutput = landmarks.emplace(options.landmarkOutput).temporaryName();
   if (!options.scanOutput.empty()) options.scanOutput = scan.emplace(options.scanOutput).temporaryName();
   noteInterruptions();
   std::vector<AcquireResult> results;
@@ -174,25 +190,34 @@ void addAcquireCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   AcquireOptions& acquire = options->acquire;
   CLI::App* command = program.add_subcommand("acquire", "Measure the boundary curves of a face from scans of heads");
-  command->add_option("scans", acquire.scans, "Scans of whole heads in any unit and pose: .ply .obj .stl .off")->required();
+  command->add_option("scans", acquire.scans, "Scans of whole heads in any unit and pose: .ply .obj .stl .off")
+      ->required();
   command->add_option("--landmarks", acquire.landmarkFile,
-                      "FILE.csv with the columns landmark,vertex or landmark,x,y,z; serves all scans [found by fitting the generic face]");
+                      "FILE.csv with the columns landmark,vertex or landmark,x,y,z; serves all scans [found by fitting "
+                      "the generic face]");
   command->add_option("--units", options->units, "What the scan's lengths are in: mm, cm, m or inch [recognised]");
   command->add_option("--scale", options->scale, "Millimetres in one unit of the scan")->excludes("--units");
-  command->add_option("--pose", options->pose, "auto: upright heads stay, others are moved onto the generic face; keep; move")->capture_default_str();
+  command
+      ->add_option("--pose", options->pose,
+                   "auto: upright heads stay, others are moved onto the generic face; keep; move")
+      ->capture_default_str();
   command->add_option("--decimate", acquire.triangles, "Triangles left before measuring, by quadric error [all]");
-  command->add_flag("--all-parts", acquire.scan.allParts, "Loose parts count too, not only the largest and the eyeballs");
+  command->add_flag("--all-parts", acquire.scan.allParts,
+                    "Loose parts count too, not only the largest and the eyeballs");
   command->add_flag("--mean", acquire.mean, "The symmetric mean of all scans");
   command->add_option("--points", acquire.scan.pointsPerCurve, "Points per curve, even")->capture_default_str();
-  command->add_flag("--report", acquire.report, "Print unit, pose, residuals, distance to the scan, holes and crossings");
+  command->add_flag("--report", acquire.report,
+                    "Print unit, pose, residuals, distance to the scan, holes and crossings");
   command->add_flag("--json", options->json, "The report as JSON");
   command->add_option("-o,--output", acquire.outputFile, "File to write: .vtp")->required();
   command->add_option("--landmark-output", acquire.landmarkOutput, "The landmarks in the frame of the curves, .csv");
   command->add_option("--scan-output", acquire.scanOutput, "The scan in the frame of the curves, mm, .vtp");
   command->footer(
-      "Landmarks are the 68 of Multi-PIE, numbered 0 .. 67 (0-16 jaw, 17-26 brows, 27-35 nose, 36-47 eyes, 48-67 lips, from the\n"
+      "Landmarks are the 68 of Multi-PIE, numbered 0 .. 67 (0-16 jaw, 17-26 brows, 27-35 nose, 36-47 eyes, 48-67 lips, "
+      "from the\n"
       "subject's right). Twelve must be given, by number or name, the others are completed:\n"
-      "  8 chin, 27 nose_bridge, 30 nose_tip, 33 nose_base, 36 right_eye_outer, 39 right_eye_inner, 42 left_eye_inner,\n"
+      "  8 chin, 27 nose_bridge, 30 nose_tip, 33 nose_base, 36 right_eye_outer, 39 right_eye_inner, 42 "
+      "left_eye_inner,\n"
       "  45 left_eye_outer, 48 right_mouth_corner, 51 upper_lip, 54 left_mouth_corner, 57 lower_lip.\n"
       "Example: mien acquire anna.ply -o anna.vtp --report\n"
       "         mien acquire anna.obj --landmarks anna68.csv --units cm -o anna.vtp\n"

@@ -1,3 +1,11 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+
 #include "Arguments.h"
 #include "BoundaryCurveData.h"
 #include "Command.h"
@@ -7,18 +15,8 @@
 #include "PictureFit.h"
 #include "PolyDataFile.h"
 #include "ReferenceFace.h"
-
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-
-#include <cstdio>
-#include <fstream>
-#include <iostream>
-#include <iterator>
-#include <memory>
 
 namespace mien {
 
@@ -34,8 +32,10 @@ FaceLandmarks readPicture(const std::string& name) {
   std::ifstream file(name, std::ios::binary);
   std::string text(largest + 1, '\0');
   file.read(text.data(), largest + 1);
-  if (file.gcount() == 0) throw FileFailure(name + ": there is no such file or it is empty; give a CSV file with 68 landmarks");
-  if (file.gcount() > largest) throw FileFailure(name + ": the file is larger than 1 MiB; give a CSV file with 68 landmarks");
+  if (file.gcount() == 0)
+    throw FileFailure(name + ": there is no such file or it is empty; give a CSV file with 68 landmarks");
+  if (file.gcount() > largest)
+    throw FileFailure(name + ": the file is larger than 1 MiB; give a CSV file with 68 landmarks");
   text.resize(static_cast<size_t>(file.gcount()));
   FaceLandmarks landmarks;
   const std::string fault = parsePictureLandmarks(text, landmarks);
@@ -51,7 +51,8 @@ PictureSettings settingsOf(const Options& options) {
   settings.upright = !options.keepTilt;
   if (!options.scale.empty()) {
     settings.millimetres = parseNumber("--scale", options.scale);
-    if (!(settings.millimetres > 0.0)) throw ValueFailure("--scale " + options.scale + " is not allowed; it is the number of mm in one pixel, above 0");
+    if (!(settings.millimetres > 0.0))
+      throw ValueFailure("--scale " + options.scale + " is not allowed; it is the number of mm in one pixel, above 0");
   }
   return settings;
 }
@@ -59,14 +60,21 @@ PictureSettings settingsOf(const Options& options) {
 void deliver(const Options& options, const PictureReport& report) {
   const double tilt = report.tilt * 180.0 / M_PI;
   if (options.json)
-    std::cout << nlohmann::ordered_json{{"picture", options.picture},     {"y_down", report.yDown},         {"mm_per_pixel", report.millimetres},
-                                        {"tilt_degrees", tilt},           {"misfit_eye_distances", report.misfit}, {"residual_rms_mm", report.residual}}
+    std::cout << nlohmann::ordered_json{{"picture", options.picture},
+                                        {"y_down", report.yDown},
+                                        {"mm_per_pixel", report.millimetres},
+                                        {"tilt_degrees", tilt},
+                                        {"misfit_eye_distances", report.misfit},
+                                        {"residual_rms_mm", report.residual}}
                      .dump(2)
               << "\n";
   else if (options.report)
-    std::printf("%s\n  y          grows %s in the picture\n  scale      %.4f mm per pixel\n  tilt       %.1f degrees\n  misfit     %.3f eye distances RMS before the warp\n"
-                "  residual   %.4f mm RMS after it\n",
-                options.picture.c_str(), report.yDown ? "downwards" : "upwards", report.millimetres, tilt, report.misfit, report.residual);
+    std::printf(
+        "%s\n  y          grows %s in the picture\n  scale      %.4f mm per pixel\n  tilt       %.1f degrees\n  misfit "
+        "    %.3f eye distances RMS before the warp\n"
+        "  residual   %.4f mm RMS after it\n",
+        options.picture.c_str(), report.yDown ? "downwards" : "upwards", report.millimetres, tilt, report.misfit,
+        report.residual);
 }
 
 void run(const Options& options) {
@@ -74,7 +82,8 @@ void run(const Options& options) {
   const PictureSettings settings = settingsOf(options);
   FaceCurves face;
   PictureReport report;
-  const std::string fault = fitToPicture(referenceFace(), referenceLandmarks(), readPicture(options.picture), settings, face, report);
+  const std::string fault =
+      fitToPicture(referenceFace(), referenceLandmarks(), readPicture(options.picture), settings, face, report);
   if (!fault.empty()) throw FileFailure(options.picture + ": " + fault);
   vtkNew<vtkPolyData> data;
   writeFaceCurves(face, data);
@@ -86,8 +95,12 @@ void run(const Options& options) {
 
 void addAdaptCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("adapt", "Fit the generic face to the 68 landmarks of a frontal photograph");
-  command->add_option("picture", options->picture, "68 landmarks, FILE.csv with the columns landmark,x,y (pixels), or x,y in their order")->required();
+  CLI::App* command =
+      program.add_subcommand("adapt", "Fit the generic face to the 68 landmarks of a frontal photograph");
+  command
+      ->add_option("picture", options->picture,
+                   "68 landmarks, FILE.csv with the columns landmark,x,y (pixels), or x,y in their order")
+      ->required();
   CLI::Option* down = command->add_flag("--y-down", options->yDown, "y grows downwards [recognised]");
   command->add_flag("--y-up", options->yUp, "y grows upwards")->excludes(down);
   command->add_option("--scale", options->scale, "Millimetres in one pixel [the generic face's size]");
@@ -97,7 +110,8 @@ void addAdaptCommand(CLI::App& program) {
   command->add_flag("--json", options->json, "The report as JSON");
   command->add_option("-o,--output", options->output, "File to write: .vtp")->required();
   command->footer(
-      "Landmarks are numbered 0 .. 67 as in Multi-PIE: 0-16 jaw line, 17-26 brows, 27-35 nose, 36-47 eyes, 48-67 lips, from the\n"
+      "Landmarks are numbered 0 .. 67 as in Multi-PIE: 0-16 jaw line, 17-26 brows, 27-35 nose, 36-47 eyes, 48-67 lips, "
+      "from the\n"
       "subject's right, which is the left of a picture. x and y follow the picture, depth the generic face.\n"
       "Example: mien adapt anna68.csv -o anna.vtp --report");
   command->callback([options] { run(*options); });

@@ -1,3 +1,9 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
+
 #include "AnimationFrames.h"
 #include "Command.h"
 #include "ContactSheet.h"
@@ -17,21 +23,13 @@
 #include "Remarks.h"
 #include "RenderOptions.h"
 #include "VirtualDisplay.h"
-
 #include "vtkFAPReader.h"
 #include "vtkImageData.h"
-#include "vtkPDEFaceFilter.h"
 #include "vtkNew.h"
+#include "vtkPDEFaceFilter.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
-
-#include <CLI/CLI.hpp>
-
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <utility>
 
 namespace mien {
 
@@ -50,7 +48,9 @@ struct Options {
 };
 
 /// A name without an ending is a folder.
-bool isFolder(const std::string& name) { return fileEnding(name).empty() || name.back() == '/'; }
+bool isFolder(const std::string& name) {
+  return fileEnding(name).empty() || name.back() == '/';
+}
 
 void checkOutputs(const Options& options) {
   if (options.output.empty() && options.sheet.empty())
@@ -60,7 +60,8 @@ void checkOutputs(const Options& options) {
   if (options.series != "vts" && options.series != "vtp")
     throw ValueFailure("--series '" + options.series + "' is no kind of surface; there are vts and vtp");
   if (options.isLive() && (options.frames.areChosen() || !options.sheet.empty()))
-    throw ValueFailure("standard input is played as it comes; --range, --start, --end, --loop, --fps and --contact-sheet need a file");
+    throw ValueFailure(
+        "standard input is played as it comes; --range, --start, --end, --loop, --fps and --contact-sheet need a file");
 }
 
 std::string animationFile(const Options& options) {
@@ -73,7 +74,8 @@ std::unique_ptr<FrameSink> makeSink(const Options& options, double framesPerSeco
   const std::string& output = options.output;
   if (output.empty()) return nullptr;
   if (isFolder(output)) return makePictureFolderSink(output);
-  return fileEnding(output) == "pvd" ? makeSurfaceSeriesSink(output, options.series) : makeMovieSink(output, framesPerSecond);
+  return fileEnding(output) == "pvd" ? makeSurfaceSeriesSink(output, options.series)
+                                     : makeMovieSink(output, framesPerSecond);
 }
 
 /// One animation on its way to its sink and its contact sheet.
@@ -154,7 +156,8 @@ class Animation {
     pipeline_.setState(state);
     updateOrThrow(pipeline_);
     const vtkSmartPointer<vtkImageData> image = sink_->needsPictures() ? scene_->render() : nullptr;
-    sink_->add({FaceState::FrameChoice::Index, 0.0, time, "frame " + shortestText(frame.number)}, pipeline_.face()->GetOutput(), image);
+    sink_->add({FaceState::FrameChoice::Index, 0.0, time, "frame " + shortestText(frame.number)},
+               pipeline_.face()->GetOutput(), image);
   }
 
   static vtkSmartPointer<vtkPoints> animatedPoints(FacePipeline& pipeline) {
@@ -241,10 +244,13 @@ void run(const Options& options) {
 void addAnimateCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("animate", "Play an animation into pictures, surfaces or a film");
-  command->add_option("file", options->file, "FILE.fap or .csv; - is a .fap stream on standard input [the bundled animation]");
-  command->add_option("-o,--output", options->output, "Folder of .png frames, or a file: .pvd .ogv, with ffmpeg .mp4 .webm .gif ..");
+  command->add_option("file", options->file,
+                      "FILE.fap or .csv; - is a .fap stream on standard input [the bundled animation]");
+  command->add_option("-o,--output", options->output,
+                      "Folder of .png frames, or a file: .pvd .ogv, with ffmpeg .mp4 .webm .gif ..");
   command->add_option("--contact-sheet", options->sheet, "Evenly chosen frames side by side, FILE.png");
-  command->add_option("--series", options->series, "Surfaces of a .pvd: vts, grids, or vtp, polygons without the slit of the mouth [vts]");
+  command->add_option("--series", options->series,
+                      "Surfaces of a .pvd: vts, grids, or vtp, polygons without the slit of the mouth [vts]");
   options->frames.addTo(*command);
   options->picture.addTo(*command);
   options->face.addSurfaceOptions(*command);

@@ -1,15 +1,15 @@
 #include "AnimationFrames.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "Arguments.h"
 #include "CsvText.h"
 #include "FAPSequence.h"
 #include "Failure.h"
 #include "FrameOptions.h"
 #include "InfoText.h"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace mien {
 
@@ -38,7 +38,8 @@ std::vector<size_t> indicesWithin(const FAPSequence& sequence, const std::string
   for (size_t index = 0; index < sequence.frames.size(); ++index)
     if (sequence.frames[index].number >= range.first && sequence.frames[index].number <= range.last)
       indices.push_back(index);
-  if (indices.empty()) throw ValueFailure("--range '" + text + "' holds no frame; mien info FILE.fap tells their numbers");
+  if (indices.empty())
+    throw ValueFailure("--range '" + text + "' holds no frame; mien info FILE.fap tells their numbers");
   return indices;
 }
 
@@ -57,7 +58,8 @@ Times chooseTimes(const FAPSequence& sequence, const FrameOptions& options) {
   if (!options.start.empty()) times.begin = std::max(times.begin, parseNumber("--start", options.start));
   if (!options.end.empty()) times.end = std::min(times.end, parseNumber("--end", options.end));
   if (times.begin > times.end + timeTolerance)
-    throw ValueFailure("--start and --end hold no frame; the animation lasts from 0 to " + shortestText(sequence.duration()) + " s");
+    throw ValueFailure("--start and --end hold no frame; the animation lasts from 0 to " +
+                       shortestText(sequence.duration()) + " s");
   return times;
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "FaceState.h"
-
 #include <string>
 #include <vector>
+
+#include "FaceState.h"
 
 namespace mien {
 
@@ -18,9 +18,10 @@ struct AnimationFrame {
   std::string caption;  ///< frame number as written, and time
 };
 
-/// The frames that the options choose: from FIRST to LAST, numbers as written in the file, and within --start and --end; all
-/// without. With a rate the moments are 1 / rate apart and mixed from the frames around them; without one they are the
-/// frames. Repetitions follow after one step. Throws a ValueFailure for options that are wrong or leave no frame.
+/// The frames that the options choose: from FIRST to LAST, numbers as written in the file, and within --start and
+/// --end; all without. With a rate the moments are 1 / rate apart and mixed from the frames around them; without one
+/// they are the frames. Repetitions follow after one step. Throws a ValueFailure for options that are wrong or leave no
+/// frame.
 std::vector<AnimationFrame> chooseFrames(const FAPSequence& sequence, const FrameOptions& options);
 
 /// Frames per second of what chooseFrames gives.

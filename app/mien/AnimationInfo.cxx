@@ -1,16 +1,15 @@
 #include "AnimationInfo.h"
 
+#include <iostream>
+
 #include "CsvText.h"
 #include "FAPSequence.h"
 #include "FAPTable.h"
 #include "Failure.h"
 #include "InfoText.h"
 #include "PipelineErrors.h"
-
 #include "vtkFAPReader.h"
 #include "vtkNew.h"
-
-#include <iostream>
 
 namespace mien {
 
@@ -57,7 +56,8 @@ void printAnimation(const json& animation) {
   printLine("format", text("format"));
   printLine("version", text("version").empty() ? "none given" : text("version"));
   printLine("name", text("name").empty() ? "none given" : text("name"));
-  printLine("frames", text("frames") + " at " + text("fps") + " per second, the last at " + twoDigits(animation["duration"]) + " s");
+  printLine("frames", text("frames") + " at " + text("fps") + " per second, the last at " +
+                          twoDigits(animation["duration"]) + " s");
   if (animation.contains("first_frame")) printLine("frame numbers", text("first_frame") + " .. " + text("last_frame"));
   printLine("FAPs used", joined(animation["faps_used"]));
   printLine("without surface", joined(animation["faps_without_surface"]));

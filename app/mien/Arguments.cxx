@@ -1,10 +1,10 @@
 #include "Arguments.h"
 
-#include "Failure.h"
-
 #include <charconv>
 #include <cmath>
 #include <sstream>
+
+#include "Failure.h"
 
 namespace mien {
 

@@ -1,12 +1,12 @@
 #include "ColorMap.h"
 
+#include <iterator>
+#include <string>
+
 #include "vtkColorTransferFunction.h"
 #include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkVariant.h"
-
-#include <iterator>
-#include <string>
 
 namespace mien {
 
@@ -16,7 +16,9 @@ constexpr int viridis[] = {0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x2
 constexpr int muted[] = {0x332288, 0x88ccee, 0x44aa99, 0x117733, 0x999933, 0xddcc77, 0xcc6677, 0x882255, 0xaa4499};
 constexpr int steps = 256;
 
-double part(int color, int shift) { return ((color >> shift) & 0xff) / 255.0; }
+double part(int color, int shift) {
+  return ((color >> shift) & 0xff) / 255.0;
+}
 
 }  // namespace
 
@@ -24,7 +26,8 @@ vtkSmartPointer<vtkLookupTable> sequentialColors(double smallest, double largest
   vtkNew<vtkColorTransferFunction> function;
   const int last = static_cast<int>(std::size(viridis)) - 1;
   for (int i = 0; i <= last; ++i)
-    function->AddRGBPoint(static_cast<double>(i) / last, part(viridis[i], 16), part(viridis[i], 8), part(viridis[i], 0));
+    function->AddRGBPoint(static_cast<double>(i) / last, part(viridis[i], 16), part(viridis[i], 8),
+                          part(viridis[i], 0));
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(steps);
   for (int i = 0; i < steps; ++i) {

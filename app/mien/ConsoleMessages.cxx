@@ -31,6 +31,8 @@ void keepConsoleMessages() {
   vtkOutputWindow::SetInstance(window);
 }
 
-const std::string& consoleMessages() { return kept(); }
+const std::string& consoleMessages() {
+  return kept();
+}
 
 }  // namespace mien

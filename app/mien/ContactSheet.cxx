@@ -1,16 +1,15 @@
 #include "ContactSheet.h"
 
-#include "Picture.h"
+#include <algorithm>
+#include <cmath>
 
+#include "Picture.h"
 #include "vtkImageData.h"
 #include "vtkImageResize.h"
 #include "vtkNew.h"
 #include "vtkStdString.h"
 #include "vtkTextProperty.h"
 #include "vtkTextRenderer.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace mien {
 
@@ -54,7 +53,8 @@ void paste(vtkImageData* image, int left, int bottom, vtkImageData* sheet) {
       const auto* from = static_cast<unsigned char*>(image->GetScalarPointer(extent[0] + x, extent[2] + y, extent[4]));
       auto* to = static_cast<unsigned char*>(sheet->GetScalarPointer(left + x, bottom + y, 0));
       const int opacity = image->GetNumberOfScalarComponents() == 4 ? from[3] : 255;
-      for (int c = 0; c < 3; ++c) to[c] = static_cast<unsigned char>((from[c] * opacity + to[c] * (255 - opacity)) / 255);
+      for (int c = 0; c < 3; ++c)
+        to[c] = static_cast<unsigned char>((from[c] * opacity + to[c] * (255 - opacity)) / 255);
     }
 }
 
@@ -72,10 +72,13 @@ vtkSmartPointer<vtkImageData> whiteImage(int width, int height) {
 ContactSheet::ContactSheet(int frameCount) {
   const int count = std::min(frameCount, columns * rows);
   for (int i = 0; i < count; ++i)
-    chosen_.push_back(count > 1 ? static_cast<int>(std::lround(static_cast<double>(i) * (frameCount - 1) / (count - 1))) : 0);
+    chosen_.push_back(count > 1 ? static_cast<int>(std::lround(static_cast<double>(i) * (frameCount - 1) / (count - 1)))
+                                : 0);
 }
 
-bool ContactSheet::wants(int frame) const { return std::binary_search(chosen_.begin(), chosen_.end(), frame); }
+bool ContactSheet::wants(int frame) const {
+  return std::binary_search(chosen_.begin(), chosen_.end(), frame);
+}
 
 void ContactSheet::add(vtkImageData* picture, const std::string& caption) {
   tiles_.push_back({smaller(picture), caption});

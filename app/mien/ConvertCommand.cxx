@@ -1,3 +1,9 @@
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+
 #include "AnimationData.h"
 #include "AnimationText.h"
 #include "AnimationTextFile.h"
@@ -13,13 +19,6 @@
 #include "FrameTimes.h"
 #include "HighLevelFAPs.h"
 #include "OutputFile.h"
-
-#include <CLI/CLI.hpp>
-
-#include <cmath>
-#include <iostream>
-#include <memory>
-#include <optional>
 
 namespace mien {
 
@@ -71,7 +70,9 @@ double chooseRate(const std::string& text) {
   return rate;
 }
 
-std::string readable(const std::string& file) { return file == "-" ? "standard input" : file; }
+std::string readable(const std::string& file) {
+  return file == "-" ? "standard input" : file;
+}
 
 FacialActionMap readMap(const std::string& file) {
   if (file.empty()) return defaultFacialActions();
@@ -114,11 +115,13 @@ void tellLoss(const CaptureLoss& loss, const std::string& output) {
   std::string names;
   for (const int fap : loss.faps)
     names += (names.empty() ? "" : ", ") + std::to_string(fap) + " " + std::string(fapDefinition(fap).name);
-  if (!names.empty()) std::cerr << "mien: " << output << ": there is no column for these FAPs, they are lost: " << names << "\n";
+  if (!names.empty())
+    std::cerr << "mien: " << output << ": there is no column for these FAPs, they are lost: " << names << "\n";
   const long percent = std::lround(100.0 * loss.share);
   if (percent > 0)
     std::cerr << "mien: " << output << ": the columns come near the FAPs only; " << percent
-              << " % of the movement is lost (root mean square), most in frame " << shortestText(loss.worstFrame) << "\n";
+              << " % of the movement is lost (root mean square), most in frame " << shortestText(loss.worstFrame)
+              << "\n";
 }
 
 std::string textOf(FAPSequence sequence, const Target& target, const FacialActionMap& map, const std::string& output) {
@@ -141,7 +144,8 @@ void run(const Options& options) {
   const FacialActionMap map = readMap(options.map);
   FAPSequence sequence = readInput(options, map);
   changeRate(rate, sequence);
-  if (sequence.name.empty() && options.input != "-") sequence.name = options.input.substr(options.input.find_last_of('/') + 1);
+  if (sequence.name.empty() && options.input != "-")
+    sequence.name = options.input.substr(options.input.find_last_of('/') + 1);
   const std::string text = textOf(sequence, target, map, options.output == "-" ? "standard output" : options.output);
   if (options.output == "-") {
     std::cout << text;
@@ -156,14 +160,18 @@ void run(const Options& options) {
 
 void addConvertCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("convert", "Turn animations into each other: .fap, tables of FAPs, FACS, ARKit");
+  CLI::App* command =
+      program.add_subcommand("convert", "Turn animations into each other: .fap, tables of FAPs, FACS, ARKit");
   command->add_option("input", options->input, "FILE.fap or FILE.csv; - is standard input")->required();
   command->add_option("-o,--output", options->output, "FILE.fap or FILE.csv; - is standard output")->required();
-  command->add_option("--from", options->from, "What the input is: fap fap-csv facs openface arkit [as its header says]");
+  command->add_option("--from", options->from,
+                      "What the input is: fap fap-csv facs openface arkit [as its header says]");
   command->add_option("--to", options->to, "What to write: fap fap-csv facs openface arkit [.fap: fap, .csv: fap-csv]");
-  command->add_option("--fps", options->fps,
-                      "Frames per second to write, mixed from those around; of an input without time its own rate [the input's]");
-  command->add_option("--map", options->map, "What action units and blendshapes move, FILE.json [data/animation/facs_map.json]");
+  command->add_option(
+      "--fps", options->fps,
+      "Frames per second to write, mixed from those around; of an input without time its own rate [the input's]");
+  command->add_option("--map", options->map,
+                      "What action units and blendshapes move, FILE.json [data/animation/facs_map.json]");
   command->footer(
       "Example: mien convert take.csv -o take.fap                 Live Link Face or OpenFace, seen from the header\n"
       "         mien convert speech.fap -o speech.csv             a table of FAPs, for a spreadsheet or NumPy\n"

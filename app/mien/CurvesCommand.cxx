@@ -1,3 +1,6 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "BoundaryCurveData.h"
 #include "Command.h"
 #include "CompactFaceOutput.h"
@@ -9,13 +12,8 @@
 #include "OutputFile.h"
 #include "PolyDataFile.h"
 #include "Remarks.h"
-
 #include "vtkAlgorithm.h"
 #include "vtkPolyData.h"
-
-#include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace mien {
 
@@ -71,7 +69,8 @@ void addCurvesCommand(CLI::App& program) {
   command->footer(
       "Example: mien curves --fap speech.fap --time 1.5 -o curves.csv\n"
       "         mien curves --face anna.vtp --tolerance 0.1mm --name Anna -o anna.mienz\n"
-      "A .vtp file or a compact face file (.mienz, about 1 kB) can be given to --face; .csv has the columns curve,point,x,y,z (mm).");
+      "A .vtp file or a compact face file (.mienz, about 1 kB) can be given to --face; .csv has the columns "
+      "curve,point,x,y,z (mm).");
   command->callback([options] { run(*options); });
 }
 

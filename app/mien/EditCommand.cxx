@@ -1,3 +1,7 @@
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+
 #include "Arguments.h"
 #include "BoundaryCurveData.h"
 #include "Command.h"
@@ -8,15 +12,9 @@
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PolyDataFile.h"
-
 #include "vtkAlgorithm.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkPolyData.h"
-
-#include <CLI/CLI.hpp>
-
-#include <map>
-#include <memory>
 
 namespace mien {
 
@@ -30,11 +28,13 @@ struct EditText {
 
 struct Options {
   std::string face, output;
-  std::vector<std::string> curve, v, feature, move, width, spread;  ///< as CLI11 collects them; their order is in parse_order()
+  std::vector<std::string> curve, v, feature, move, width,
+      spread;  ///< as CLI11 collects them; their order is in parse_order()
   bool mirror = false;
 };
 
-/// Deals the options to edits in the order in which they were given: --curve or --feature begins one, unless the edit before has none yet.
+/// Deals the options to edits in the order in which they were given: --curve or --feature begins one, unless the edit
+/// before has none yet.
 class EditReader {
  public:
   std::vector<EditText> read(const CLI::App& command) {
@@ -54,10 +54,12 @@ class EditReader {
       edit.mirrored = true;
       return;
     }
-    const std::map<std::string, std::string*> places = {{"curve", &edit.curve}, {"v", &edit.v},         {"feature", &edit.feature},
-                                                        {"move", &edit.move},   {"width", &edit.width}, {"spread", &edit.spread}};
+    const std::map<std::string, std::string*> places = {{"curve", &edit.curve},     {"v", &edit.v},
+                                                        {"feature", &edit.feature}, {"move", &edit.move},
+                                                        {"width", &edit.width},     {"spread", &edit.spread}};
     std::string& place = *places.at(name);
-    if (!place.empty()) throw ValueFailure("--" + name + " is given twice for one edit; begin the next edit with --curve or --feature");
+    if (!place.empty())
+      throw ValueFailure("--" + name + " is given twice for one edit; begin the next edit with --curve or --feature");
     place = option.results()[next_[name]++];
   }
 
@@ -81,7 +83,8 @@ CurveEdit editOf(const EditText& text, const FaceCurves& face) {
   CurveEdit edit;
   if (!text.feature.empty()) {
     const FeaturePoint* feature = face.feature(text.feature);
-    if (!feature) throw ValueFailure("--feature " + text.feature + " is not on this face; mien info lists those that are");
+    if (!feature)
+      throw ValueFailure("--feature " + text.feature + " is not on this face; mien info lists those that are");
     edit.curve = feature->curve;
     edit.v = feature->v;
   }
@@ -132,7 +135,10 @@ void addEditCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("edit", "Move points of boundary curves by hand, with a smooth fall-off");
   const auto add = [&](const char* name, std::vector<std::string>& values, const char* help) {
-    command->add_option(name, values, help)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->group("Edits");
+    command->add_option(name, values, help)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->group("Edits");
   };
   command->add_option("--face", options->face, "Boundary curves, FILE.vtp [the generic face]");
   add("--curve", options->curve, "Curve of the point, C1 .. C28 or C22'");
@@ -146,9 +152,11 @@ void addEditCommand(CLI::App& program) {
       ->group("Edits");
   command->add_option("-o,--output", options->output, "File to write: .vtp")->required();
   command->footer(
-      "Each --curve or --feature begins an edit; they are made one after the other. Edits that make curves cross are refused.\n"
+      "Each --curve or --feature begins an edit; they are made one after the other. Edits that make curves cross are "
+      "refused.\n"
       "Example: mien edit --feature 4.1 --move 0,3,0 --mirror --spread 2 -o raised.vtp\n"
-      "         mien edit --face anna.vtp --curve C15 --v 3.1416 --move 0,0,4 --curve C28 --v 3.1416 --move 0,-2,3 -o changed.vtp");
+      "         mien edit --face anna.vtp --curve C15 --v 3.1416 --move 0,0,4 --curve C28 --v 3.1416 --move 0,-2,3 -o "
+      "changed.vtp");
   command->callback([options, command] { run(*options, *command); });
 }
 

@@ -1,12 +1,11 @@
 #include "FaceCamera.h"
 
-#include "vtkCamera.h"
-#include "vtkPolyData.h"
-
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
+
+#include "vtkCamera.h"
+#include "vtkPolyData.h"
 
 namespace mien {
 

@@ -1,15 +1,14 @@
 #include "FaceOptions.h"
 
+#include <CLI/CLI.hpp>
+#include <tuple>
+
 #include "Arguments.h"
 #include "DataFile.h"
 #include "FacePipeline.h"
 #include "FaceScheme.h"
 #include "Failure.h"
 #include "OutputFile.h"
-
-#include <CLI/CLI.hpp>
-
-#include <tuple>
 
 namespace mien {
 
@@ -50,9 +49,10 @@ void FaceOptions::addAnimationOptions(CLI::App& command) {
   add("--time", time_, "Time in seconds")->needs(fap)->excludes(frame)->excludes(index);
   add("--expression", expression_, "Expressions with intensities 0 .. 1, such as joy:0.8 or joy:0.6,surprise:0.4");
   add("--set", set_, "FAP values, such as 53=200,54=200; they add to those of the file");
-  CLI::Option* fdt = add("--fdt", deformation_,
-                         "Facial deformation table, FILE.csv[:strength] or one that is compiled in: joy, sadness, anger, fear, "
-                         "disgust, surprise, smile");
+  CLI::Option* fdt =
+      add("--fdt", deformation_,
+          "Facial deformation table, FILE.csv[:strength] or one that is compiled in: joy, sadness, anger, fear, "
+          "disgust, surprise, smile");
   command.add_flag("--fdt-hard", hardRegions_, "Every point follows the table's nearest region alone, as in the paper")
       ->group("Animation")
       ->needs(fdt);
@@ -60,7 +60,9 @@ void FaceOptions::addAnimationOptions(CLI::App& command) {
 }
 
 void FaceOptions::addTextureOptions(CLI::App& command) {
-  command.add_option("--texture", texture_, "Photograph on the skin, IMAGE or IMAGE:MESH.csv; painted: the one that comes with Mien")
+  command
+      .add_option("--texture", texture_,
+                  "Photograph on the skin, IMAGE or IMAGE:MESH.csv; painted: the one that comes with Mien")
       ->group("Face");
   command.add_option("--texture-mesh", textureMesh_, "Its warp mesh, MESH.csv [the .csv beside it]")->group("Face");
 }
@@ -101,7 +103,8 @@ void FaceOptions::fillSurface(FaceState& state) const {
   if (values.size() != 1 && values.size() != a.size())
     throw ValueFailure("-a has " + std::to_string(values.size()) + " values; give one, or one for each of the " +
                        std::to_string(a.size()) + " patches");
-  for (size_t patch = 0; patch < a.size(); ++patch) a[patch] = parseNumber("-a", values[values.size() == 1 ? 0 : patch]);
+  for (size_t patch = 0; patch < a.size(); ++patch)
+    a[patch] = parseNumber("-a", values[values.size() == 1 ? 0 : patch]);
 }
 
 void FaceOptions::fillGrid(FaceState& state) const {
@@ -150,7 +153,8 @@ void FaceOptions::fillFAPValues(FaceState& state) const {
 }
 
 void FaceOptions::fillTexture(FaceState& state) const {
-  if (texture_.empty() && !textureMesh_.empty()) throw ValueFailure("--texture-mesh belongs to a photograph; give --texture");
+  if (texture_.empty() && !textureMesh_.empty())
+    throw ValueFailure("--texture-mesh belongs to a photograph; give --texture");
   state.texture = texture_;
   state.textureMesh = textureMesh_;
   const size_t colon = texture_.rfind(':');
@@ -161,7 +165,8 @@ void FaceOptions::fillTexture(FaceState& state) const {
   }
   if (state.texture != paintedTexture) return;
   state.texture = findDataFile("textures/painted.png");
-  if (state.texture.empty()) throw FileFailure("textures/painted.png: the texture that comes with Mien is not installed; give an IMAGE");
+  if (state.texture.empty())
+    throw FileFailure("textures/painted.png: the texture that comes with Mien is not installed; give an IMAGE");
 }
 
 void FaceOptions::fillDeformation(FaceState& state) const {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "FaceState.h"
-
 #include <string>
+
+#include "FaceState.h"
 
 namespace CLI {
 class App;
@@ -62,7 +62,8 @@ class FaceOptions {
   bool noRemainder_ = false, uniformRows_ = false;
 };
 
-/// Reads the curves and the animation file and checks the pipeline's state against them: a FileFailure or a ValueFailure.
+/// Reads the curves and the animation file and checks the pipeline's state against them: a FileFailure or a
+/// ValueFailure.
 void checkOrThrow(FacePipeline& pipeline);
 
 /// Brings the pipeline's surface up to date; what stops it is a FileFailure.

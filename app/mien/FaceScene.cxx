@@ -1,5 +1,7 @@
 #include "FaceScene.h"
 
+#include <algorithm>
+
 #include "ColorMap.h"
 #include "FaceCamera.h"
 #include "FacePipeline.h"
@@ -7,7 +9,6 @@
 #include "Failure.h"
 #include "Picture.h"
 #include "SmoothCurves.h"
-
 #include "vtkActor.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCamera.h"
@@ -27,14 +28,12 @@
 #include "vtkTexture.h"
 #include "vtkWindowToImageFilter.h"
 
-#include <algorithm>
-
 namespace mien {
 
 namespace {
 
 constexpr int largestComputedSide = 8192;  // pixels; common drivers can hold twice as much
-constexpr double barShare = 0.14;   // of the picture's width
+constexpr double barShare = 0.14;          // of the picture's width
 constexpr double dotsPerInch = 96.0;
 constexpr double curveOffset = -120.0;  // in 1.6e-5 of the depth drawn, together about 0.5 mm of a head
 
@@ -125,7 +124,8 @@ void FaceScene::addSurface() {
 /// Colours come from the photograph alone. The inside of the mouth, which it does not show, is dark.
 void FaceScene::addTexture() {
   if (!style_.colorBy.empty()) throw ValueFailure("--texture and --color-by both colour the surface; give one");
-  if (style_.mesh == SceneStyle::Mesh::Wireframe) throw ValueFailure("--texture needs a surface; leave out --style wireframe");
+  if (style_.mesh == SceneStyle::Mesh::Wireframe)
+    throw ValueFailure("--texture needs a surface; leave out --style wireframe");
   vtkNew<vtkImageData> image;
   const std::string fault = makeFaceTexture(pipeline_.state(), pipeline_.neutralCurves()->GetOutput(), image);
   if (!fault.empty()) throw FileFailure(fault);
@@ -196,7 +196,8 @@ void FaceScene::addColors() {
   bar_->SetPosition(1.0 - barShare, 0.15);
   bar_->SetPosition2(0.8 * barShare, 0.7);
   bar_->UnconstrainedFontSizeOn();
-  for (vtkTextProperty* text : {bar_->GetTitleTextProperty(), bar_->GetLabelTextProperty(), bar_->GetAnnotationTextProperty()}) {
+  for (vtkTextProperty* text :
+       {bar_->GetTitleTextProperty(), bar_->GetLabelTextProperty(), bar_->GetAnnotationTextProperty()}) {
     text->SetColor(0.1, 0.1, 0.1);
     text->SetFontSize(std::clamp(style_.height / 70, 8, 24));
     text->ItalicOff();

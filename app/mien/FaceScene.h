@@ -1,7 +1,6 @@
 #pragma once
 
 #include "SceneStyle.h"
-
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 

@@ -68,9 +68,11 @@ json describeContents(const AnimationTable& table) {
     points.insert(std::string(fapDefinition(entry.fap).featurePoint));
   }
   for (const ContactPair& pair : table.contacts())
-    contacts.push_back(pair.name + " (" + FaceLayout::curveName(pair.upper) + ", " + FaceLayout::curveName(pair.lower) + ")");
-  return {{"version", table.fileVersion()}, {"faps", faps},         {"faps_missing", missingFAPs(table)},
-          {"curves", curvesMoved(table)},   {"feature_points", points}, {"contacts", contacts}};
+    contacts.push_back(pair.name + " (" + FaceLayout::curveName(pair.upper) + ", " + FaceLayout::curveName(pair.lower) +
+                       ")");
+  return {{"version", table.fileVersion()},     {"faps", faps},
+          {"faps_missing", missingFAPs(table)}, {"curves", curvesMoved(table)},
+          {"feature_points", points},           {"contacts", contacts}};
 }
 
 /// Binds the table to the face: the FAPs that this face leaves out, as it lacks their feature point.

@@ -1,9 +1,9 @@
 #include "FrameOptions.h"
 
+#include <CLI/CLI.hpp>
+
 #include "Arguments.h"
 #include "Failure.h"
-
-#include <CLI/CLI.hpp>
 
 namespace mien {
 
@@ -23,7 +23,8 @@ void FrameOptions::addTo(CLI::App& command) {
 
 double FrameOptions::rate() const {
   const double value = fps.empty() ? 0.0 : parseNumber("--fps", fps);
-  if (!fps.empty() && !(value > 0.0 && value <= 1000.0)) throw ValueFailure("--fps " + fps + " is outside 0 < fps <= 1000");
+  if (!fps.empty() && !(value > 0.0 && value <= 1000.0))
+    throw ValueFailure("--fps " + fps + " is outside 0 < fps <= 1000");
   return value;
 }
 

@@ -17,8 +17,8 @@ struct FrameOptions {
   bool areChosen() const { return !(range + start + end + fps + loop).empty(); }
 
   /// The values of options. Throw a ValueFailure for text that is none.
-  double rate() const;     ///< 0 when none is given
-  int repetitions() const; ///< 1 when none are given
+  double rate() const;      ///< 0 when none is given
+  int repetitions() const;  ///< 1 when none are given
 };
 
 }  // namespace mien

@@ -1,3 +1,8 @@
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
 #include "AnimationInfo.h"
 #include "BoundaryCurveData.h"
 #include "Command.h"
@@ -9,15 +14,8 @@
 #include "InfoText.h"
 #include "OutputFile.h"
 #include "RowLayout.h"
-
 #include "vtkBoundaryCurveReader.h"
 #include "vtkPolyData.h"
-
-#include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
-
-#include <iostream>
-#include <memory>
 
 namespace mien {
 
@@ -86,7 +84,8 @@ json describeFace(const FacePipeline& pipeline) {
 void printExtents(const json& bounds) {
   std::string text;
   for (const auto& axis : bounds.items())
-    text += (text.empty() ? "" : ", ") + axis.key() + " " + twoDigits(axis.value()[0]) + " .. " + twoDigits(axis.value()[1]);
+    text += (text.empty() ? "" : ", ") + axis.key() + " " + twoDigits(axis.value()[0]) + " .. " +
+            twoDigits(axis.value()[1]);
   printLine("bounds (mm)", text);
 }
 
@@ -115,7 +114,8 @@ void run(const Options& options) {
   const bool isAnimation = ending == "fap" || ending == "csv" || options.file == "-";
   const json about = isAnimation ? describeAnimation(options.file) : aboutFace(options);
   if (options.json)
-    std::cout << json{{isAnimation ? "fap" : "face", about}}.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+    std::cout << json{{isAnimation ? "fap" : "face", about}}.dump(2, ' ', false, json::error_handler_t::replace)
+              << "\n";
   else
     isAnimation ? printAnimation(about) : printFace(about);
 }
@@ -128,7 +128,9 @@ void addInfoCommand(CLI::App& program) {
   command->add_option("file", options->file, "Boundary curves .vtp .mienz or animation .fap .csv [the generic face]");
   command->add_flag("--json", options->json, "Machine-readable");
   options->face.addSurfaceOptions(*command);
-  command->footer("Example: mien info --json\n         mien info speech.fap\n         mien info take.csv\n         mien info --resolution 60x40");
+  command->footer(
+      "Example: mien info --json\n         mien info speech.fap\n         mien info take.csv\n         mien info "
+      "--resolution 60x40");
   command->callback([options] { run(*options); });
 }
 

@@ -18,7 +18,8 @@ void printLine(const std::string& label, const std::string& text) {
 
 std::string joined(const nlohmann::ordered_json& list) {
   std::string text;
-  for (const auto& item : list) text += (text.empty() ? "" : " ") + (item.is_string() ? item.get<std::string>() : item.dump());
+  for (const auto& item : list)
+    text += (text.empty() ? "" : " ") + (item.is_string() ? item.get<std::string>() : item.dump());
   return text.empty() ? "none" : text;
 }
 

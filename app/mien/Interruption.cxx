@@ -20,6 +20,8 @@ void noteInterruptions() {
   std::signal(SIGTERM, note);
 }
 
-bool wasInterrupted() { return interrupted != 0; }
+bool wasInterrupted() {
+  return interrupted != 0;
+}
 
 }  // namespace mien

@@ -1,15 +1,3 @@
-#include "AnimationFrames.h"
-#include "CsvText.h"
-#include "Failure.h"
-#include "FrameSink.h"
-#include "OutputFile.h"
-#include "Picture.h"
-
-#include "vtkImageData.h"
-#include "vtkImageFlip.h"
-#include "vtkNew.h"
-#include "vtkOggTheoraWriter.h"
-
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -22,12 +10,23 @@
 #include <iterator>
 #include <vector>
 
+#include "AnimationFrames.h"
+#include "CsvText.h"
+#include "Failure.h"
+#include "FrameSink.h"
+#include "OutputFile.h"
+#include "Picture.h"
+#include "vtkImageData.h"
+#include "vtkImageFlip.h"
+#include "vtkNew.h"
+#include "vtkOggTheoraWriter.h"
+
 namespace mien {
 
 namespace {
 
 constexpr int notInstalled = 127;
-const char* const evenSides = "pad=ceil(iw/2)*2:ceil(ih/2)*2";  // the usual colour format halves them
+const char* const evenSides = "pad=ceil(iw/2)*2:ceil(ih/2)*2";                   // the usual colour format halves them
 const char* const ownPalette = "split[a][b];[a]palettegen[p];[b][p]paletteuse";  // a .gif has 256 colours
 const char* const ffmpegEndings[] = {"mp4", "m4v", "mov", "webm", "mkv", "avi", "mpg", "gif", "apng", "webp"};
 
@@ -49,7 +48,8 @@ vtkSmartPointer<vtkImageData> colorsOf(vtkImageData* picture) {
   return picture->GetNumberOfScalarComponents() == 4 ? opaque(picture) : vtkSmartPointer<vtkImageData>(picture);
 }
 
-/// The film's format knows whole rates only: a small multiple of the rate where that is whole, else the next whole number.
+/// The film's format knows whole rates only: a small multiple of the rate where that is whole, else the next whole
+/// number.
 int wholeRate(double rate) {
   for (int multiple = 1; multiple <= 4; ++multiple) {
     const double whole = std::round(multiple * rate);
@@ -103,7 +103,9 @@ class OggSink : public FrameSink {
 class FfmpegSink : public FrameSink {
  public:
   FfmpegSink(const std::string& name, double rate) : file_(name), rate_(rate) {
-    if (!installed()) throw FileFailure(name + ": ." + fileEnding(name) + " needs ffmpeg, which is not installed; install it (apt-get install ffmpeg) or write .ogv");
+    if (!installed())
+      throw FileFailure(name + ": ." + fileEnding(name) +
+                        " needs ffmpeg, which is not installed; install it (apt-get install ffmpeg) or write .ogv");
     messages_ = std::tmpfile();
     signal(SIGPIPE, SIG_IGN);
   }
@@ -161,8 +163,9 @@ class FfmpegSink : public FrameSink {
     if (pipe2(ends, O_CLOEXEC) != 0) throw FileFailure(file_.name() + ": there is no pipe to ffmpeg");
     const std::string shape = std::to_string(size[0]) + "x" + std::to_string(size[1]);
     child_ = fork();
-    std::vector<std::string> command = {"ffmpeg", "-y",   "-loglevel", "error",             "-f", "rawvideo", "-pix_fmt",
-                                        "rgb24",  "-s",   shape,       "-r",                shortestText(rate_), "-i", "-"};
+    std::vector<std::string> command = {"ffmpeg",   "-y",    "-loglevel", "error", "-f", "rawvideo",
+                                        "-pix_fmt", "rgb24", "-s",        shape,   "-r", shortestText(rate_),
+                                        "-i",       "-"};
     for (const std::string& word : ffmpegFormat(fileEnding(file_.name()))) command.push_back(word);
     command.push_back(file_.temporaryName());
     if (child_ == 0) become(command, ends[0], messages_ ? fileno(messages_) : -1);

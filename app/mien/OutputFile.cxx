@@ -1,7 +1,5 @@
 #include "OutputFile.h"
 
-#include "Failure.h"
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +8,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+
+#include "Failure.h"
 
 namespace mien {
 
@@ -58,7 +58,8 @@ OutputFile::OutputFile(const std::string& name) : name_(name) {
   std::error_code error;
   if (fs::is_directory(name, error)) throw FileFailure(name + ": this is a folder; give the name of a file");
   const fs::path path(name);
-  const std::string hidden = "." + path.stem().string() + ".mien-" + std::to_string(getpid()) + path.extension().string();
+  const std::string hidden =
+      "." + path.stem().string() + ".mien-" + std::to_string(getpid()) + path.extension().string();
   temporaryName_ = (path.parent_path() / hidden).string();
 }
 

@@ -1,3 +1,6 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "Arguments.h"
 #include "BoundaryCurveData.h"
 #include "Command.h"
@@ -8,7 +11,6 @@
 #include "SurfaceFile.h"
 #include "SurfaceTable.h"
 #include "XMLDataFile.h"
-
 #include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
 #include "vtkPDEPatchFilter.h"
@@ -16,10 +18,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkStructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
-
-#include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace mien {
 
@@ -31,7 +29,9 @@ struct Options {
   bool noRemainder = false;
 };
 
-bool isTable(const Options& options) { return fileEnding(options.output) == "csv"; }
+bool isTable(const Options& options) {
+  return fileEnding(options.output) == "csv";
+}
 
 void checkOutput(const std::string& name) {
   std::vector<std::string> endings = surfaceEndings();
@@ -101,16 +101,20 @@ void run(const Options& options) {
 void addPatchCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("patch", "Write one PDE patch between any closed curves");
-  command->add_option("curves", options->curves, "Closed polylines of equal length, FILE.vtp, or a face, FILE.mienz")->required();
+  command->add_option("curves", options->curves, "Closed polylines of equal length, FILE.vtp, or a face, FILE.mienz")
+      ->required();
   command->add_option("-o,--output", options->output, "File to write: .vts .vtp .ply .obj .stl .csv")->required();
   command->add_option("--condition", options->conditions,
                       "U[:DERIVATIVE] of the next curve, once for each [arrays U and Derivative of the file, "
                       "else equal steps of u]");
-  command->add_option("-a,--smoothing", options->smoothing, "Smoothing parameter a, 0 < a <= 1000")->capture_default_str();
-  command->add_option("-N,--harmonics", options->harmonics, "Fourier modes solved exactly, 0 .. K/2")->capture_default_str();
+  command->add_option("-a,--smoothing", options->smoothing, "Smoothing parameter a, 0 < a <= 1000")
+      ->capture_default_str();
+  command->add_option("-N,--harmonics", options->harmonics, "Fourier modes solved exactly, 0 .. K/2")
+      ->capture_default_str();
   command->add_flag("--no-remainder", options->noRemainder, "Leave out the harmonics above N");
   command->add_option("--resolution", options->resolution, "Rows x columns of the uv mesh")->capture_default_str();
-  command->add_option("--precision", options->precision, "Of points and arrays")->capture_default_str()
+  command->add_option("--precision", options->precision, "Of points and arrays")
+      ->capture_default_str()
       ->check(CLI::IsMember({"single", "double"}));
   command->footer(
       "Example: mien patch vase.vtp --condition 0 --condition 0:1 --condition 1 --condition 1:1 -o vase.vts\n"

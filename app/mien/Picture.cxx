@@ -1,16 +1,15 @@
 #include "Picture.h"
 
+#include <algorithm>
+#include <array>
+
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
-
 #include "vtkImageData.h"
 #include "vtkImageExtractComponents.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
-
-#include <algorithm>
-#include <array>
 
 namespace mien {
 
@@ -28,7 +27,8 @@ Pixel meanPixel(const unsigned char* block, vtkIdType stride, int factor) {
       opacity += pixel[3];
     }
   Pixel mean{};
-  for (int c = 0; c < 3 && opacity > 0; ++c) mean[c] = static_cast<unsigned char>((weighted[c] + opacity / 2) / opacity);
+  for (int c = 0; c < 3 && opacity > 0; ++c)
+    mean[c] = static_cast<unsigned char>((weighted[c] + opacity / 2) / opacity);
   mean[3] = static_cast<unsigned char>((opacity + factor * factor / 2) / (factor * factor));
   return mean;
 }

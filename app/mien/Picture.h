@@ -1,9 +1,9 @@
 #pragma once
 
-#include "vtkSmartPointer.h"
-
 #include <map>
 #include <string>
+
+#include "vtkSmartPointer.h"
 
 class vtkImageData;
 

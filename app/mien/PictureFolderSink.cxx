@@ -1,10 +1,10 @@
+#include <cstdio>
+#include <filesystem>
+
 #include "AnimationFrames.h"
 #include "Failure.h"
 #include "FrameSink.h"
 #include "Picture.h"
-
-#include <cstdio>
-#include <filesystem>
 
 namespace mien {
 

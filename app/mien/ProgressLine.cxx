@@ -11,11 +11,14 @@ namespace {
 constexpr double secondsBetweenLines = 0.2;
 const char* const clearLine = "\r\033[K";
 
-double seconds(std::chrono::steady_clock::duration time) { return std::chrono::duration<double>(time).count(); }
+double seconds(std::chrono::steady_clock::duration time) {
+  return std::chrono::duration<double>(time).count();
+}
 
 }  // namespace
 
-ProgressLine::ProgressLine(int total, const char* what) : total_(total), what_(what), visible_(isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine(int total, const char* what)
+    : total_(total), what_(what), visible_(isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
   if (visible_) std::fputs(clearLine, stderr);

@@ -1,13 +1,12 @@
 #include "Remarks.h"
 
-#include "FAPTable.h"
-#include "FacePipeline.h"
-
-#include "vtkFAPAnimationFilter.h"
-#include "vtkFAPReader.h"
-
 #include <cmath>
 #include <iostream>
+
+#include "FAPTable.h"
+#include "FacePipeline.h"
+#include "vtkFAPAnimationFilter.h"
+#include "vtkFAPReader.h"
 
 namespace mien {
 
@@ -30,12 +29,13 @@ void printRemarks(const FacePipeline& pipeline) {
     for (const std::string& warning : pipeline.frames()->GetWarnings()) std::cerr << "mien: " << warning << "\n";
   const std::vector<int> ignored = pipeline.animation()->GetIgnoredFAPs();
   if (!ignored.empty())
-    std::cerr << "mien: " << (file.empty() ? "" : file + ": ") << "these FAPs move nothing on this face: " << nameList(ignored)
-              << "\n";
+    std::cerr << "mien: " << (file.empty() ? "" : file + ": ")
+              << "these FAPs move nothing on this face: " << nameList(ignored) << "\n";
   const double pushed = pipeline.animation()->GetLargestPushed();
   if (pushed >= visiblePush)
-    std::cerr << "mien: " << (file.empty() ? "" : file + ": ") << "curves without room for these FAPs gave way by up to "
-              << std::round(pushed * 10.0) / 10.0 << " mm; smaller values leave every curve its way\n";
+    std::cerr << "mien: " << (file.empty() ? "" : file + ": ")
+              << "curves without room for these FAPs gave way by up to " << std::round(pushed * 10.0) / 10.0
+              << " mm; smaller values leave every curve its way\n";
 }
 
 }  // namespace mien

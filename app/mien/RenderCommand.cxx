@@ -1,19 +1,17 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "Command.h"
 #include "FaceOptions.h"
 #include "FacePipeline.h"
 #include "FaceScene.h"
 #include "FaceStateText.h"
 #include "OutputFile.h"
-#include "Remarks.h"
 #include "Picture.h"
+#include "Remarks.h"
 #include "RenderOptions.h"
 #include "VirtualDisplay.h"
-
 #include "vtkImageData.h"
-
-#include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace mien {
 

@@ -1,15 +1,13 @@
 #include "RenderOptions.h"
 
+#include <CLI/CLI.hpp>
+#include <map>
+
 #include "Arguments.h"
 #include "FaceOptions.h"
 #include "Failure.h"
-
 #include "vtkNamedColors.h"
 #include "vtkNew.h"
-
-#include <CLI/CLI.hpp>
-
-#include <map>
 
 namespace mien {
 
@@ -20,8 +18,8 @@ constexpr int shadedRows = 164, shadedColumns = 160;
 std::array<double, 3> parseColor(const std::string& text) {
   vtkNew<vtkNamedColors> names;
   std::array<double, 3> color;
-  const bool hexadecimal = text.size() == 7 && text[0] == '#' &&
-                           text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
+  const bool hexadecimal =
+      text.size() == 7 && text[0] == '#' && text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos;
   if (!hexadecimal && !names->ColorExists(text))
     throw ValueFailure("--background '" + text + "' is no colour; write a name such as white or #1a2b3c");
   if (!hexadecimal) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "SceneStyle.h"
-
 #include <string>
+
+#include "SceneStyle.h"
 
 namespace CLI {
 class App;

@@ -54,14 +54,14 @@ void ReportOptions::writeFigure(const Report& report, const std::string& name, c
   if (report.plate) {
     const Plate plate = report.plate(drawing_.width());
     const PlatePainter painter(plate, theme, drawing_.width());
-    drawing_.write(name, painter.size(), [&](QPainter& p) { painter.paint(p); }, plate.title,
-                   command + "\n" + plate.note);
+    drawing_.write(
+        name, painter.size(), [&](QPainter& p) { painter.paint(p); }, plate.title, command + "\n" + plate.note);
     return;
   }
   const Figure figure = report.figure();
   const FigurePainter painter(figure, theme, drawing_.width());
-  drawing_.write(name, painter.size(), [&](QPainter& p) { painter.paint(p); }, figure.title,
-                 command + "\n" + figure.note);
+  drawing_.write(
+      name, painter.size(), [&](QPainter& p) { painter.paint(p); }, figure.title, command + "\n" + figure.note);
 }
 
 void ReportOptions::deliver(const Report& report, const std::string& command) const {

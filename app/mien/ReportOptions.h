@@ -17,11 +17,11 @@ namespace mien {
 
 /// What a measuring command has found.
 struct Report {
-  nlohmann::ordered_json json;       ///< all of it, for --json
-  nlohmann::ordered_json rows;       ///< the table, array of objects
-  nlohmann::ordered_json readable;   ///< the table for reading where it differs from `rows`
-  std::vector<std::string> remarks;  ///< sentences below the table
-  std::function<Figure()> figure;    ///< drawn only when it is asked for
+  nlohmann::ordered_json json;               ///< all of it, for --json
+  nlohmann::ordered_json rows;               ///< the table, array of objects
+  nlohmann::ordered_json readable;           ///< the table for reading where it differs from `rows`
+  std::vector<std::string> remarks;          ///< sentences below the table
+  std::function<Figure()> figure;            ///< drawn only when it is asked for
   std::function<Plate(double width)> plate;  ///< in its place, for a width in mm
 };
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ViewDirection.h"
-
 #include <array>
 #include <string>
+
+#include "ViewDirection.h"
 
 namespace mien {
 

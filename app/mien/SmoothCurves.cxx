@@ -1,10 +1,9 @@
 #include "SmoothCurves.h"
 
-#include "BoundaryCurveData.h"
-
-#include "vtkPolyData.h"
-
 #include <cmath>
+
+#include "BoundaryCurveData.h"
+#include "vtkPolyData.h"
 
 namespace mien {
 

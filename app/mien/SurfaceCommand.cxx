@@ -1,3 +1,6 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
 #include "Command.h"
 #include "FaceOptions.h"
 #include "FacePipeline.h"
@@ -5,13 +8,8 @@
 #include "Remarks.h"
 #include "SurfaceFile.h"
 #include "SurfaceTable.h"
-
 #include "vtkPDEFaceFilter.h"
 #include "vtkStructuredGrid.h"
-
-#include <CLI/CLI.hpp>
-
-#include <memory>
 
 namespace mien {
 
@@ -22,7 +20,9 @@ struct Options {
   std::string output;
 };
 
-bool isTable(const std::string& name) { return fileEnding(name) == "csv"; }
+bool isTable(const std::string& name) {
+  return fileEnding(name) == "csv";
+}
 
 void checkOutput(const std::string& name) {
   std::vector<std::string> endings = surfaceEndings();
@@ -55,7 +55,8 @@ void addSurfaceCommand(CLI::App& program) {
   options->face.addAll(*command);
   command->footer(
       "Example: mien surface -a 2 -N 7 --resolution 110x80 --expression joy -o joy.vtp\n"
-      "A .vts file keeps the grid with the mouth slit hidden; .csv has the columns patch,u,v,x,y,z in double precision.");
+      "A .vts file keeps the grid with the mouth slit hidden; .csv has the columns patch,u,v,x,y,z in double "
+      "precision.");
   command->callback([options] { run(*options); });
 }
 

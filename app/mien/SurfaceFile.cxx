@@ -3,7 +3,6 @@
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
-
 #include "vtkGeometryFilter.h"
 #include "vtkNew.h"
 #include "vtkOBJWriter.h"

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "vtkSmartPointer.h"
-
 #include <string>
 #include <vector>
+
+#include "vtkSmartPointer.h"
 
 class vtkPointSet;
 class vtkPolyData;

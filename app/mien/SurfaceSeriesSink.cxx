@@ -1,12 +1,12 @@
+#include <cstdio>
+#include <filesystem>
+
 #include "AnimationFrames.h"
 #include "CsvText.h"
 #include "Failure.h"
 #include "FrameSink.h"
 #include "OutputFile.h"
 #include "SurfaceFile.h"
-
-#include <cstdio>
-#include <filesystem>
 
 namespace mien {
 
@@ -27,7 +27,8 @@ class SurfaceSeriesSink : public FrameSink {
     const OutputFile writable(name);
     std::error_code error;
     fs::create_directories(folder_, error);
-    if (!fs::is_directory(folder_, error)) throw FileFailure(folder_.string() + ": cannot be made a folder for the surfaces");
+    if (!fs::is_directory(folder_, error))
+      throw FileFailure(folder_.string() + ": cannot be made a folder for the surfaces");
   }
 
   bool needsPictures() const override { return false; }
@@ -42,8 +43,9 @@ class SurfaceSeriesSink : public FrameSink {
   }
 
   std::string finish(bool) override {
-    OutputFile::write(name_, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + entries_ +
-                                 "  </Collection>\n</VTKFile>\n");
+    OutputFile::write(
+        name_, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + entries_ +
+                   "  </Collection>\n</VTKFile>\n");
     return std::to_string(count_) + " surfaces in " + name_;
   }
 

@@ -1,11 +1,10 @@
 #include "SurfaceTable.h"
 
+#include <cmath>
+
 #include "CsvText.h"
 #include "FaceLayout.h"
-
 #include "vtkStructuredGrid.h"
-
-#include <cmath>
 
 namespace mien {
 

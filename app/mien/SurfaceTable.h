@@ -1,8 +1,8 @@
 #pragma once
 
-#include "RowLayout.h"
-
 #include <string>
+
+#include "RowLayout.h"
 
 class vtkStructuredGrid;
 

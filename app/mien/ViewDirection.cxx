@@ -1,10 +1,10 @@
 #include "ViewDirection.h"
 
-#include "Arguments.h"
-#include "Failure.h"
-
 #include <cmath>
 #include <map>
+
+#include "Arguments.h"
+#include "Failure.h"
 
 namespace mien {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr double steepest = 89.0;
 
 const std::map<std::string, ViewDirection> namedViews = {
-    {"front", {0, 0}},  {"back", {180, 0}}, {"left", {90, 0}},       {"side", {90, 0}},
+    {"front", {0, 0}},   {"back", {180, 0}},     {"left", {90, 0}},    {"side", {90, 0}},
     {"right", {-90, 0}}, {"top", {0, steepest}}, {"45-left", {45, 0}}, {"45-right", {-45, 0}}};
 
 ViewDirection parseAngles(const std::string& text) {

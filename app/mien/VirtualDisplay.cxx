@@ -1,9 +1,6 @@
 #include "VirtualDisplay.h"
 
-#include "Failure.h"
-
 #include <X11/Xlib.h>
-
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -13,6 +10,8 @@
 
 #include <cstdlib>
 #include <string>
+
+#include "Failure.h"
 
 namespace mien {
 
@@ -55,7 +54,8 @@ std::string readNumber(int pipe) {
   int status = 0;
   waitpid(server, &status, 0);
   if (WIFEXITED(status) && WEXITSTATUS(status) == notInstalled)
-    throw FileFailure("there is no display to render on, and Xvfb is not installed; install the package xvfb or set DISPLAY");
+    throw FileFailure(
+        "there is no display to render on, and Xvfb is not installed; install the package xvfb or set DISPLAY");
   throw FileFailure("there is no display to render on, and Xvfb did not start; try `Xvfb -displayfd 1` to see why");
 }
 

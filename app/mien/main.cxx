@@ -1,12 +1,11 @@
-#include "Command.h"
-#include "ConsoleMessages.h"
-#include "Failure.h"
-
 #include <CLI/CLI.hpp>
-
 #include <exception>
 #include <iostream>
 #include <new>
+
+#include "Command.h"
+#include "ConsoleMessages.h"
+#include "Failure.h"
 
 namespace {
 
@@ -75,7 +74,8 @@ int run(CLI::App& program, int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain("there is not enough memory; choose a smaller --resolution or --size", wrongFile);
   } catch (const std::exception& error) {
-    return complain(std::string("stopped by an unexpected fault (") + error.what() + "); please report it with the files that show it",
+    return complain(std::string("stopped by an unexpected fault (") + error.what() +
+                        "); please report it with the files that show it",
                     wrongFile);
   }
   return 0;

@@ -1,24 +1,25 @@
-#include "StudioWindow.h"
-
-#include "AnimationPlayer.h"
-#include "Theme.h"
+#include <QVTKOpenGLNativeWidget.h>
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
-#include <QVTKOpenGLNativeWidget.h>
-
 #include <cstdio>
 #include <cstdlib>
+
+#include "AnimationPlayer.h"
+#include "StudioWindow.h"
+#include "Theme.h"
 
 namespace {
 
 /// While the application begins, Qt ends the program without a display after lines about its plugins.
 void sayWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QString&) {
   if (type != QtFatalMsg) return;
-  std::fputs("mien-studio: there is no display to open a window on; start it in a desktop session, set DISPLAY or WAYLAND_DISPLAY, or "
-             "use `mien render` and `mien animate`, which need none\n",
-             stderr);
+  std::fputs(
+      "mien-studio: there is no display to open a window on; start it in a desktop session, set DISPLAY or "
+      "WAYLAND_DISPLAY, or "
+      "use `mien render` and `mien animate`, which need none\n",
+      stderr);
   std::_Exit(EXIT_FAILURE);
 }
 
@@ -39,7 +40,8 @@ void name() {
 /// Reads the arguments, and ends the program after help or version.
 void read(QCommandLineParser& arguments, const QCommandLineOption& play, const QCoreApplication& application) {
   arguments.setApplicationDescription("Shows and animates a PDE face.");
-  arguments.addPositionalArgument("FILE.fap", "A facial animation to open, .fap or .csv; - plays a .fap stream from standard input.", "[FILE.fap]");
+  arguments.addPositionalArgument(
+      "FILE.fap", "A facial animation to open, .fap or .csv; - plays a .fap stream from standard input.", "[FILE.fap]");
   arguments.addOption(play);
   arguments.addHelpOption();
   arguments.addVersionOption();
@@ -53,7 +55,8 @@ int main(int argc, char** argv) {
   QCommandLineParser arguments;
   const QCommandLineOption play("play", "Play the file at once; without a file, the demonstration.");
   if (asksForText(argc, argv)) read(arguments, play, QCoreApplication(argc, argv));
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());  // before the application, or views stay black
+  QSurfaceFormat::setDefaultFormat(
+      QVTKOpenGLNativeWidget::defaultFormat());  // before the application, or views stay black
   QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);

@@ -1,46 +1,38 @@
 #include "Acquire.h"
 
+#include <fstream>
+
 #include "PipelineErrors.h"
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 #include "vtkBoundaryCurveMeanFilter.h"
-#include "vtkPDEFaceFilter.h"
-#include "vtkScanReader.h"
-#include "vtkSurfaceDistanceFilter.h"
-
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
+#include "vtkPDEFaceFilter.h"
 #include "vtkPolyData.h"
+#include "vtkScanReader.h"
 #include "vtkSmartPointer.h"
+#include "vtkSurfaceDistanceFilter.h"
 #include "vtkTable.h"
 #include "vtkXMLPolyDataWriter.h"
 
-#include <fstream>
+namespace mien {
 
-namespace mien
-{
+namespace {
 
-namespace
-{
-
-std::string describeOptions(const AcquireOptions& options)
-{
-  if (options.scans.empty())
-    return "there is no scan; give at least one .ply, .obj, .stl or .off file";
+std::string describeOptions(const AcquireOptions& options) {
+  if (options.scans.empty()) return "there is no scan; give at least one .ply, .obj, .stl or .off file";
   if (options.scans.size() > 1 && !options.mean)
     return "there is more than one scan; ask for their mean or give only one";
   return {};
 }
 
-void tellProgress(vtkObject* caller, unsigned long, void* progress, void*)
-{
+void tellProgress(vtkObject* caller, unsigned long, void* progress, void*) {
   auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-  if (!goesOn(*static_cast<const Progress*>(progress), algorithm->GetProgress()))
-    algorithm->SetAbortExecute(1);
+  if (!goesOn(*static_cast<const Progress*>(progress), algorithm->GetProgress())) algorithm->SetAbortExecute(1);
 }
 
 /// Whether a filter ran to its end.
-bool runs(vtkAlgorithm* algorithm, const Progress& progress)
-{
+bool runs(vtkAlgorithm* algorithm, const Progress& progress) {
   vtkNew<vtkCallbackCommand> callback;
   callback->SetCallback(tellProgress);
   callback->SetClientData(const_cast<Progress*>(&progress));
@@ -50,8 +42,7 @@ bool runs(vtkAlgorithm* algorithm, const Progress& progress)
   return algorithm->GetAbortExecute() == 0;
 }
 
-std::string measureDistance(vtkPolyData* curves, vtkPolyData* scan, AcquireResult& result)
-{
+std::string measureDistance(vtkPolyData* curves, vtkPolyData* scan, AcquireResult& result) {
   vtkNew<vtkPDEFaceFilter> face;
   vtkNew<vtkSurfaceDistanceFilter> distance;
   PipelineErrors errors;
@@ -63,16 +54,14 @@ std::string measureDistance(vtkPolyData* curves, vtkPolyData* scan, AcquireResul
   distance->SetReferenceData(scan);
   distance->SetFrontalOnly(true);
   distance->Update();
-  if (!errors.first().empty())
-    return errors.first();
+  if (!errors.first().empty()) return errors.first();
   auto* table = vtkTable::SafeDownCast(distance->GetOutputDataObject(2));
   result.frontalRMS = table->GetValueByName(0, "rms_mm").ToDouble();
   result.frontalMaximum = table->GetValueByName(0, "max_mm").ToDouble();
   return {};
 }
 
-std::string writePolyData(vtkPolyData* data, const std::string& file)
-{
+std::string writePolyData(vtkPolyData* data, const std::string& file) {
   vtkNew<vtkXMLPolyDataWriter> writer;
   PipelineErrors errors;
   errors.observe(writer);
@@ -84,22 +73,21 @@ std::string writePolyData(vtkPolyData* data, const std::string& file)
   return written ? std::string() : file + ": the file cannot be written there; check folder and rights";
 }
 
-std::string writeText(const std::string& text, const std::string& file)
-{
+std::string writeText(const std::string& text, const std::string& file) {
   std::ofstream stream(file, std::ios::binary);
-  return stream << text && stream.flush() ? std::string() : file + ": the file cannot be written there; check folder and rights";
+  return stream << text && stream.flush() ? std::string()
+                                          : file + ": the file cannot be written there; check folder and rights";
 }
 
-std::string measureScan(const AcquireOptions& options, vtkBoundaryCurveAcquisitionFilter* filter, AcquireResult& result, const Progress& progress)
-{
+std::string measureScan(const AcquireOptions& options, vtkBoundaryCurveAcquisitionFilter* filter, AcquireResult& result,
+                        const Progress& progress) {
   vtkNew<vtkScanReader> reader;
   PipelineErrors errors;
   errors.observe(reader);
   errors.observe(filter);
   reader->SetFileName(result.scan.c_str());
   reader->Update();
-  if (!errors.first().empty())
-    return errors.first();
+  if (!errors.first().empty()) return errors.first();
   filter->SetInputData(reader->GetOutput());
   filter->SetLandmarkFileName(options.landmarkFile.c_str());
   filter->SetPointsPerCurve(options.scan.pointsPerCurve);
@@ -108,11 +96,9 @@ std::string measureScan(const AcquireOptions& options, vtkBoundaryCurveAcquisiti
   filter->SetAllParts(options.scan.allParts);
   filter->SetTriangles(options.triangles);
   filter->SetCompareLandmarks(options.report);
-  if (!runs(filter, progress))
-    return "stopped before the curves were measured";
+  if (!runs(filter, progress)) return "stopped before the curves were measured";
   std::string fault = errors.first();
-  if (fault.empty() && options.report)
-    fault = measureDistance(filter->GetOutput(), filter->GetOutput(1), result);
+  if (fault.empty() && options.report) fault = measureDistance(filter->GetOutput(), filter->GetOutput(1), result);
   result.report = filter->GetAcquired().report;
   result.crossings = countCrossings(filter->GetAcquired().face.curves);
   const bool namesLandmarks = !options.landmarkFile.empty() && fault.rfind(options.landmarkFile + ":", 0) == 0;
@@ -120,20 +106,14 @@ std::string measureScan(const AcquireOptions& options, vtkBoundaryCurveAcquisiti
 }
 
 /// The curves of all scans and, with them, what else is to be written.
-class Measurements
-{
-public:
-  explicit Measurements(const AcquireOptions& options)
-    : Options(options)
-  {
-  }
+class Measurements {
+ public:
+  explicit Measurements(const AcquireOptions& options) : Options(options) {}
 
-  std::string add(AcquireResult& result, const Progress& progress)
-  {
+  std::string add(AcquireResult& result, const Progress& progress) {
     vtkNew<vtkBoundaryCurveAcquisitionFilter> filter;
     const std::string fault = measureScan(this->Options, filter, result, progress);
-    if (!fault.empty())
-      return fault;
+    if (!fault.empty()) return fault;
     this->Landmarks.points += filter->GetAcquired().landmarks.points / static_cast<double>(this->Options.scans.size());
     this->Curves = filter->GetOutput();
     this->Scan = filter->GetOutput(1);
@@ -143,47 +123,43 @@ public:
     return {};
   }
 
-  std::string write()
-  {
+  std::string write() {
     PipelineErrors errors;
     errors.observe(this->Mean);
-    if (this->Options.mean)
-    {
+    if (this->Options.mean) {
       this->Mean->Update();
-      if (!errors.first().empty())
-        return errors.first();
+      if (!errors.first().empty()) return errors.first();
       this->Curves = this->Mean->GetOutput();
       this->Landmarks = symmetrised(this->Landmarks);
     }
-    std::string fault = this->Options.landmarkOutput.empty() ? "" : writeText(landmarkText(this->Landmarks), this->Options.landmarkOutput);
-    if (fault.empty() && !this->Options.scanOutput.empty())
-      fault = writePolyData(this->Scan, this->Options.scanOutput);
+    std::string fault = this->Options.landmarkOutput.empty()
+                            ? ""
+                            : writeText(landmarkText(this->Landmarks), this->Options.landmarkOutput);
+    if (fault.empty() && !this->Options.scanOutput.empty()) fault = writePolyData(this->Scan, this->Options.scanOutput);
     return fault.empty() ? writePolyData(this->Curves, this->Options.outputFile) : fault;
   }
 
-private:
+ private:
   const AcquireOptions& Options;
   vtkNew<vtkBoundaryCurveMeanFilter> Mean;
   vtkSmartPointer<vtkPolyData> Curves, Scan;
   FaceLandmarks Landmarks;
 };
 
-} // namespace
+}  // namespace
 
-std::string acquire(const AcquireOptions& options, std::vector<AcquireResult>* results, const Progress& progress)
-{
+std::string acquire(const AcquireOptions& options, std::vector<AcquireResult>* results, const Progress& progress) {
   std::string fault = describeOptions(options);
   Measurements measurements(options);
   const double count = static_cast<double>(options.scans.size());
-  for (std::size_t i = 0; i < options.scans.size() && fault.empty(); ++i)
-  {
+  for (std::size_t i = 0; i < options.scans.size() && fault.empty(); ++i) {
     AcquireResult result;
     result.scan = options.scans[i];
-    fault = measurements.add(result, partOf(progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
-    if (results)
-      results->push_back(result);
+    fault =
+        measurements.add(result, partOf(progress, static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
+    if (results) results->push_back(result);
   }
   return fault.empty() ? measurements.write() : fault;
 }
 
-} // namespace mien
+}  // namespace mien

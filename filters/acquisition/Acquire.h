@@ -1,25 +1,25 @@
 #pragma once
 
-#include "MienAcquisitionModule.h"
-
-#include "Progress.h"
-#include "ScanAcquisition.h"
-
 #include <string>
 #include <vector>
+
+#include "MienAcquisitionModule.h"
+#include "Progress.h"
+#include "ScanAcquisition.h"
 
 /// What `mien acquire` does.
 namespace mien {
 
 struct AcquireOptions {
   std::vector<std::string> scans;  ///< .ply, .obj, .stl, .off; one, or several with `mean`
-  std::string landmarkFile;        ///< CSV, see LandmarkTable.h; serves all scans; empty: landmarks are found by fitting
-  std::string outputFile;          ///< .vtp
-  std::string landmarkOutput;      ///< .csv for the landmarks in the frame of the curves (with `mean` their symmetric mean); empty: none
-  std::string scanOutput;          ///< .vtp for the scan in the frame of the curves; empty: none
-  bool mean = false;               ///< the symmetric mean of all scans instead of one scan as it is
-  bool report = false;             ///< whether distances are measured and landmarks compared
-  int triangles = 0;               ///< decimation before measuring; 0: none
+  std::string landmarkFile;    ///< CSV, see LandmarkTable.h; serves all scans; empty: landmarks are found by fitting
+  std::string outputFile;      ///< .vtp
+  std::string landmarkOutput;  ///< .csv for the landmarks in the frame of the curves (with `mean` their symmetric
+                               ///< mean); empty: none
+  std::string scanOutput;      ///< .vtp for the scan in the frame of the curves; empty: none
+  bool mean = false;           ///< the symmetric mean of all scans instead of one scan as it is
+  bool report = false;         ///< whether distances are measured and landmarks compared
+  int triangles = 0;           ///< decimation before measuring; 0: none
   ScanSettings scan;
 };
 
@@ -27,12 +27,13 @@ struct AcquireResult {
   std::string scan;
   ScanReport report;
   int crossings = 0;  ///< of curves, between samples too
-  double frontalRMS = 0.0, frontalMaximum = 0.0;  ///< mm, of the spline face (a = 1, N = 5, 224 x 160, z > 50 mm) to the scan
+  double frontalRMS = 0.0,
+         frontalMaximum = 0.0;  ///< mm, of the spline face (a = 1, N = 5, 224 x 160, z > 50 mm) to the scan
 };
 
 /// Reads the scans, measures their boundary curves and writes them as XML polydata (inline, not compressed).
 /// @return nothing, or "FILE[:LINE]: what is wrong and what to do"; no curves are written then
-MIENACQUISITION_EXPORT std::string acquire(
-  const AcquireOptions& options, std::vector<AcquireResult>* results = nullptr, const Progress& progress = {});
+MIENACQUISITION_EXPORT std::string acquire(const AcquireOptions& options, std::vector<AcquireResult>* results = nullptr,
+                                           const Progress& progress = {});
 
 }  // namespace mien

@@ -1,5 +1,11 @@
 #include "LevelsOfDetail.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
 #include "CompactFace.h"
 #include "CurveModes.h"
 #include "FaceBand.h"
@@ -11,52 +17,37 @@
 #include "RadialSkin.h"
 #include "SurfaceDistance.h"
 #include "SurfaceSamples.h"
-
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
-#include <Eigen/Geometry>
+namespace mien {
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-
-namespace mien
-{
-
-namespace
-{
+namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-constexpr int faceRows = 112, faceColumns = 80; // of the faces that are measured: cells of about 2 mm
+constexpr int faceRows = 112, faceColumns = 80;  // of the faces that are measured: cells of about 2 mm
 constexpr double skinDepth = 1.0;                // mm; deeper points of a scan are hidden behind its skin
 constexpr int fewestTriangles = 8;
 
-struct Way
-{
+struct Way {
   double rms = 0.0, maximum = 0.0;
 };
 
-std::string textOf(double number)
-{
+std::string textOf(double number) {
   std::string text;
   appendNumber(text, number);
   return text;
 }
 
-Way distancesOf(const SurfaceSamples& samples, const SurfaceDistance& distance)
-{
+Way distancesOf(const SurfaceSamples& samples, const SurfaceDistance& distance) {
   std::vector<double> distances(samples.points.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(distances.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-      distances[i] = distance(samples.points[i].data(), false);
+    for (vtkIdType i = begin; i < end; ++i) distances[i] = distance(samples.points[i].data(), false);
   });
   Way way;
   double squared = 0.0, area = 0.0;
-  for (std::size_t i = 0; i < distances.size(); ++i)
-  {
+  for (std::size_t i = 0; i < distances.size(); ++i) {
     squared += samples.areas[i] * distances[i] * distances[i];
     area += samples.areas[i];
     way.maximum = std::max(way.maximum, distances[i]);
@@ -66,128 +57,111 @@ Way distancesOf(const SurfaceSamples& samples, const SurfaceDistance& distance)
 }
 
 /// A face as triangles, patch by patch; what has no area is left out.
-TriangleMesh meshOf(const FaceSample& sample)
-{
+TriangleMesh meshOf(const FaceSample& sample) {
   const int columns = sample.columnCount();
   std::vector<Eigen::RowVector3i> triangles;
   TriangleMesh mesh;
   mesh.vertices.resize(sample.rowCount() * columns, 3);
   const auto add = [&](int a, int b, int c) {
     const Eigen::RowVector3d p = mesh.vertices.row(a), q = mesh.vertices.row(b), r = mesh.vertices.row(c);
-    if ((q - p).cross(r - p).norm() > 1e-9)
-      triangles.emplace_back(a, b, c);
+    if ((q - p).cross(r - p).norm() > 1e-9) triangles.emplace_back(a, b, c);
   };
   for (int row = 0; row < sample.rowCount(); ++row)
     for (int column = 0; column < columns; ++column)
       mesh.vertices.row(row * columns + column) = sample.point(row, column).transpose();
   for (int patch = 0; patch < FaceLayout::patchCount; ++patch)
     for (int row = sample.firstRow(patch); row + 1 < sample.firstRow(patch + 1); ++row)
-      for (int column = 0; column < columns; ++column)
-      {
+      for (int column = 0; column < columns; ++column) {
         const int a = row * columns + column, b = row * columns + (column + 1) % columns;
         add(a, a + columns, b);
         add(b, a + columns, b + columns);
       }
   mesh.triangles.resize(static_cast<int>(triangles.size()), 3);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    mesh.triangles.row(static_cast<int>(i)) = triangles[i];
+  for (std::size_t i = 0; i < triangles.size(); ++i) mesh.triangles.row(static_cast<int>(i)) = triangles[i];
   return mesh;
 }
 
 /// Triangles that reach into the part of the head that the face covers, on the vertices they use.
-TriangleMesh coveredPart(const TriangleMesh& scan, const FaceBand& band)
-{
+TriangleMesh coveredPart(const TriangleMesh& scan, const FaceBand& band) {
   TriangleMesh part;
   std::vector<int> number(scan.vertices.rows(), -1);
   std::vector<int> kept, used;
-  for (int t = 0; t < scan.triangles.rows(); ++t)
-  {
+  for (int t = 0; t < scan.triangles.rows(); ++t) {
     const auto reaches = [&](int corner) { return band.contains(scan.vertices.row(scan.triangles(t, corner)), 0.0); };
-    if (reaches(0) || reaches(1) || reaches(2))
-      kept.push_back(t);
+    if (reaches(0) || reaches(1) || reaches(2)) kept.push_back(t);
   }
   part.triangles.resize(static_cast<int>(kept.size()), 3);
   for (std::size_t i = 0; i < kept.size(); ++i)
-    for (int corner = 0; corner < 3; ++corner)
-    {
+    for (int corner = 0; corner < 3; ++corner) {
       const int vertex = scan.triangles(kept[i], corner);
-      if (number[vertex] < 0)
-      {
+      if (number[vertex] < 0) {
         number[vertex] = static_cast<int>(used.size());
         used.push_back(vertex);
       }
       part.triangles(static_cast<int>(i), corner) = number[vertex];
     }
   part.vertices.resize(static_cast<int>(used.size()), 3);
-  for (std::size_t i = 0; i < used.size(); ++i)
-    part.vertices.row(static_cast<int>(i)) = scan.vertices.row(used[i]);
+  for (std::size_t i = 0; i < used.size(); ++i) part.vertices.row(static_cast<int>(i)) = scan.vertices.row(used[i]);
   return part;
 }
 
 /// A mesh that distances are measured to.
-class DistanceTo
-{
-public:
-  explicit DistanceTo(const TriangleMesh& mesh)
-  {
+class DistanceTo {
+ public:
+  explicit DistanceTo(const TriangleMesh& mesh) {
     writeTriangleMesh(mesh, data_);
     distance_ = std::make_unique<SurfaceDistance>(data_);
   }
   const SurfaceDistance& operator*() const { return *distance_; }
 
-private:
+ private:
   vtkNew<vtkPolyData> data_;
   std::unique_ptr<SurfaceDistance> distance_;
 };
 
 /// The whole comparison: what stays the same for all levels, and the records so far.
-class Comparison
-{
-public:
+class Comparison {
+ public:
   Comparison(const FaceCurves& face, const TriangleMesh& scan, const DetailOptions& options, const Progress& progress)
-    : face_(face)
-    , scan_(scan)
-    , options_(options)
-    , progress_(progress)
-    , band_(face.curves)
-    , toScan_(scan)
-    , scanFront_(scan, options.spacing, [skin = std::make_shared<RadialSkin>(scan_, band_.axis()), this](const Eigen::Vector3d& p) {
-      const HeadAxis& axis = band_.axis();
-      return counts(p) && axis.radius(p) > skin->radius(axis.azimuth(p), p.y()) - skinDepth;
-    })
-  {
-  }
+      : face_(face),
+        scan_(scan),
+        options_(options),
+        progress_(progress),
+        band_(face.curves),
+        toScan_(scan),
+        scanFront_(scan, options.spacing,
+                   [skin = std::make_shared<RadialSkin>(scan_, band_.axis()), this](const Eigen::Vector3d& p) {
+                     const HeadAxis& axis = band_.axis();
+                     return counts(p) && axis.radius(p) > skin->radius(axis.azimuth(p), p.y()) - skinDepth;
+                   }) {}
 
   /// False when it was stopped.
-  bool measure()
-  {
+  bool measure() {
     const int k = face_.curves.pointsPerCurve;
     const int faces = 1 + k / 2 + static_cast<int>(options_.tolerances.size());
-    expected_ = 3 * faces + 1; // the meshes are two for each size
+    expected_ = 3 * faces + 1;  // the meshes are two for each size
     addScan();
     return addFaces() && addMeshes();
   }
 
-  std::string describeEmptiness() const
-  {
-    return scanFront_.points.empty() ? "the scan has no skin before z = " + textOf(options_.frontalThreshold) +
-        " mm between the first and the last curve; are scan and curves of one head, in mm?"
-                                     : std::string();
+  std::string describeEmptiness() const {
+    return scanFront_.points.empty()
+               ? "the scan has no skin before z = " + textOf(options_.frontalThreshold) +
+                     " mm between the first and the last curve; are scan and curves of one head, in mm?"
+               : std::string();
   }
 
   const std::vector<DetailRecord>& records() const { return records_; }
-  const std::string& fault() const { return fault_; } ///< of what could not be stored
+  const std::string& fault() const { return fault_; }  ///< of what could not be stored
 
-private:
-  bool counts(const Eigen::Vector3d& point) const
-  {
+ private:
+  bool counts(const Eigen::Vector3d& point) const {
     return point.z() > options_.frontalThreshold && band_.contains(point, options_.margin);
   }
 
   bool goOn() const { return goesOn(progress_, std::min(1.0, static_cast<double>(records_.size()) / expected_)); }
 
-  bool add(DetailRecord record, const TriangleMesh& mesh)
-  {
+  bool add(DetailRecord record, const TriangleMesh& mesh) {
     const SurfaceSamples front(mesh, options_.spacing, [this](const Eigen::Vector3d& p) { return counts(p); });
     const DistanceTo toMesh(mesh);
     const Way there = distancesOf(front, *toScan_), back = distancesOf(scanFront_, *toMesh);
@@ -199,18 +173,17 @@ private:
     return goOn();
   }
 
-  void addScan()
-  {
-    DetailRecord record{ "scan", std::to_string(scan_.triangles.rows()) + " triangles" };
+  void addScan() {
+    DetailRecord record{"scan", std::to_string(scan_.triangles.rows()) + " triangles"};
     record.bytes = static_cast<long long>(plainMeshSize(scan_));
     record.triangles = scan_.triangles.rows();
     record.curvesRMS = undefined;
     records_.push_back(record);
   }
 
-  bool addFace(const std::string& representation, const std::string& detail, long long bytes, const ClosedCurves& curves)
-  {
-    DetailRecord record{ representation, detail, bytes };
+  bool addFace(const std::string& representation, const std::string& detail, long long bytes,
+               const ClosedCurves& curves) {
+    DetailRecord record{representation, detail, bytes};
     record.curvesRMS = std::sqrt((curves.points - face_.curves.points).rowwise().squaredNorm().mean());
     FaceCurves face = face_;
     face.curves = curves;
@@ -218,47 +191,40 @@ private:
     return add(record, meshOf(sample));
   }
 
-  bool addFaces()
-  {
+  bool addFaces() {
     const int k = face_.curves.pointsPerCurve;
     const auto sizeOf = [&](int modes) { return static_cast<long long>(modeNumberCount(k, modes) * sizeof(float)); };
-    if (!addFace("PDE face", "K = " + std::to_string(k), sizeOf(k / 2), face_.curves))
-      return false;
+    if (!addFace("PDE face", "K = " + std::to_string(k), sizeOf(k / 2), face_.curves)) return false;
     for (int n = 1; n <= k / 2; ++n)
-      if (!addFace("modes", "N = " + std::to_string(n), sizeOf(n), firstModes(face_.curves, n)))
-        return false;
+      if (!addFace("modes", "N = " + std::to_string(n), sizeOf(n), firstModes(face_.curves, n))) return false;
     for (const double tolerance : options_.tolerances)
-      if (!addCompact(tolerance))
-        return false;
+      if (!addCompact(tolerance)) return false;
     return true;
   }
 
-  bool addCompact(double tolerance)
-  {
+  bool addCompact(double tolerance) {
     std::string bytes;
     CompactFace compact;
     fault_ = encodeCompactFace(face_, "", tolerance, bytes);
-    if (fault_.empty())
-      fault_ = decodeCompactFace(bytes, compact);
-    return fault_.empty() &&
-      addFace("compact face", textOf(tolerance) + " mm", static_cast<long long>(bytes.size()), compact.face.curves);
+    if (fault_.empty()) fault_ = decodeCompactFace(bytes, compact);
+    return fault_.empty() && addFace("compact face", textOf(tolerance) + " mm", static_cast<long long>(bytes.size()),
+                                     compact.face.curves);
   }
 
   /// Bytes of the faces, largest first; those that hardly differ once.
-  std::vector<double> sizes() const
-  {
+  std::vector<double> sizes() const {
     std::vector<double> bytes;
     for (const DetailRecord& record : records_)
-      if (record.triangles == 0)
-        bytes.push_back(static_cast<double>(record.bytes));
+      if (record.triangles == 0) bytes.push_back(static_cast<double>(record.bytes));
     std::sort(bytes.rbegin(), bytes.rend());
-    bytes.erase(std::unique(bytes.begin(), bytes.end(), [](double kept, double next) { return next > sizeShare * kept; }), bytes.end());
+    bytes.erase(
+        std::unique(bytes.begin(), bytes.end(), [](double kept, double next) { return next > sizeShare * kept; }),
+        bytes.end());
     return bytes;
   }
 
   /// A closed mesh has two triangles for each vertex: 12 bytes of coordinates for two, 6 of indices for each.
-  bool addMeshes()
-  {
+  bool addMeshes() {
     constexpr double bytesPerTriangle = 12.0;
     const TriangleMesh part = coveredPart(scan_, band_);
     std::vector<int> plain;
@@ -269,33 +235,30 @@ private:
       const bool further = addMesh("decimated mesh", static_cast<long long>(plainMeshSize(mesh)), mesh, mesh);
       const DetailRecord& record = records_.back();
       const double step = std::max(finestStep, record.rms);
-      packed.push_back({ static_cast<double>(mesh.triangles.rows()), static_cast<double>(packedMeshSize(mesh, step)), record.rms });
+      packed.push_back(
+          {static_cast<double>(mesh.triangles.rows()), static_cast<double>(packedMeshSize(mesh, step)), record.rms});
       return further;
     });
     return whole && addPackedMeshes(part, packed);
   }
 
-  struct Packed
-  {
+  struct Packed {
     double triangles, bytes, rms;
   };
 
-  /// Triangles that pack into so many bytes, from what the plain meshes packed into: a power law between the nearest sizes.
-  static double trianglesFor(double bytes, const std::vector<Packed>& known)
-  {
+  /// Triangles that pack into so many bytes, from what the plain meshes packed into: a power law between the nearest
+  /// sizes.
+  static double trianglesFor(double bytes, const std::vector<Packed>& known) {
     std::size_t i = 0;
-    while (i + 2 < known.size() && known[i + 1].bytes > bytes)
-      ++i;
+    while (i + 2 < known.size() && known[i + 1].bytes > bytes) ++i;
     const Packed &more = known[i], &fewer = known[std::min(i + 1, known.size() - 1)];
-    if (more.bytes <= fewer.bytes)
-      return more.triangles * bytes / more.bytes;
+    if (more.bytes <= fewer.bytes) return more.triangles * bytes / more.bytes;
     const double power = std::log(more.triangles / fewer.triangles) / std::log(more.bytes / fewer.bytes);
     return fewer.triangles * std::pow(bytes / fewer.bytes, power);
   }
 
   /// Coordinates are rounded to about the distance that decimation leaves, which falls with the number of triangles.
-  bool addPackedMeshes(const TriangleMesh& part, const std::vector<Packed>& known)
-  {
+  bool addPackedMeshes(const TriangleMesh& part, const std::vector<Packed>& known) {
     std::vector<int> counts;
     for (const double bytes : sizes())
       counts.push_back(std::max(fewestTriangles, static_cast<int>(trianglesFor(bytes, known))));
@@ -310,17 +273,18 @@ private:
     });
   }
 
-  bool addMesh(const std::string& representation, long long bytes, const TriangleMesh& mesh, const TriangleMesh& shown)
-  {
+  bool addMesh(const std::string& representation, long long bytes, const TriangleMesh& mesh,
+               const TriangleMesh& shown) {
     if (records_.back().representation == representation && records_.back().triangles == mesh.triangles.rows())
-      return goOn(); // no edge could collapse
-    DetailRecord record{ representation, std::to_string(mesh.triangles.rows()) + " triangles", bytes, mesh.triangles.rows() };
+      return goOn();  // no edge could collapse
+    DetailRecord record{representation, std::to_string(mesh.triangles.rows()) + " triangles", bytes,
+                        mesh.triangles.rows()};
     record.curvesRMS = undefined;
     return add(record, shown);
   }
 
-  static constexpr double finestStep = 0.05; // mm
-  static constexpr double sizeShare = 0.85;  // of one size, above which another needs no mesh of its own
+  static constexpr double finestStep = 0.05;  // mm
+  static constexpr double sizeShare = 0.85;   // of one size, above which another needs no mesh of its own
 
   const FaceCurves& face_;
   const TriangleMesh& scan_;
@@ -334,33 +298,26 @@ private:
   std::string fault_;
 };
 
-std::string describeFault(const DetailOptions& options)
-{
-  if (options.tolerances.empty())
-    return "there is no tolerance; give at least one, such as 0.1 mm";
+std::string describeFault(const DetailOptions& options) {
+  if (options.tolerances.empty()) return "there is no tolerance; give at least one, such as 0.1 mm";
   if (!(options.spacing >= 0.1 && options.spacing <= 20.0))
     return "a spacing of " + textOf(options.spacing) + " mm is not allowed; give 0.1 to 20 mm";
   return {};
 }
 
-} // namespace
+}  // namespace
 
 std::string measureLevelsOfDetail(const FaceCurves& face, const TriangleMesh& scan, const DetailOptions& options,
-  const Progress& progress, std::vector<DetailRecord>& records)
-{
+                                  const Progress& progress, std::vector<DetailRecord>& records) {
   std::string fault = describeFault(options);
-  if (fault.empty())
-    fault = describeFault(options.surface, face.curves.pointsPerCurve);
-  if (!fault.empty())
-    return fault;
+  if (fault.empty()) fault = describeFault(options.surface, face.curves.pointsPerCurve);
+  if (!fault.empty()) return fault;
   Comparison comparison(face, scan, options, progress);
   fault = comparison.describeEmptiness();
-  if (!fault.empty())
-    return fault;
+  if (!fault.empty()) return fault;
   const bool whole = comparison.measure();
-  if (whole)
-    records = comparison.records();
+  if (whole) records = comparison.records();
   return comparison.fault();
 }
 
-} // namespace mien
+}  // namespace mien

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "TriangleMesh.h"
-
 #include <string>
+
+#include "TriangleMesh.h"
 
 class vtkPolyData;
 

@@ -1,12 +1,11 @@
 #pragma once
 
-#include "TriangleMesh.h"
-
 #include <functional>
 #include <vector>
 
-namespace mien
-{
+#include "TriangleMesh.h"
+
+namespace mien {
 
 /// Decimates a mesh to several sizes in one go, by OpenMesh's quadric module [Garland and Heckbert 1997].
 ///
@@ -14,7 +13,7 @@ namespace mien
 /// @param triangles  numbers of triangles, largest first; a mesh may keep a few more where no edge can collapse
 /// @param take       called with each mesh; false stops the series
 /// @return false when it was stopped
-bool decimateInSteps(
-  const TriangleMesh& mesh, const std::vector<int>& triangles, const std::function<bool(const TriangleMesh&)>& take);
+bool decimateInSteps(const TriangleMesh& mesh, const std::vector<int>& triangles,
+                     const std::function<bool(const TriangleMesh&)>& take);
 
-} // namespace mien
+}  // namespace mien

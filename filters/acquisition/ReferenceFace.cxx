@@ -4,18 +4,14 @@
 #include "GenericLandmarkFile.h"
 #include "LandmarkTable.h"
 #include "vtkBoundaryCurveReader.h"
-
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
-namespace mien
-{
+namespace mien {
 
-namespace
-{
+namespace {
 
-FaceCurves readReferenceFace()
-{
+FaceCurves readReferenceFace() {
   vtkNew<vtkBoundaryCurveReader> reader;
   reader->Update();
   FaceCurves face;
@@ -23,31 +19,27 @@ FaceCurves readReferenceFace()
   return face;
 }
 
-FaceLandmarks readReferenceLandmarks()
-{
+FaceLandmarks readReferenceLandmarks() {
   LandmarkTable table;
   parseLandmarks(GenericLandmarkFile(), table);
   return table.positions;
 }
 
-} // namespace
+}  // namespace
 
-const FaceCurves& referenceFace()
-{
+const FaceCurves& referenceFace() {
   static const FaceCurves face = readReferenceFace();
   return face;
 }
 
-const FaceLandmarks& referenceLandmarks()
-{
+const FaceLandmarks& referenceLandmarks() {
   static const FaceLandmarks landmarks = readReferenceLandmarks();
   return landmarks;
 }
 
-const FaceTemplate& referenceTemplate()
-{
+const FaceTemplate& referenceTemplate() {
   static const FaceTemplate face = makeFaceTemplate(referenceFace(), referenceLandmarks());
   return face;
 }
 
-} // namespace mien
+}  // namespace mien

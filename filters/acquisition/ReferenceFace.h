@@ -1,8 +1,7 @@
 #pragma once
 
-#include "MienAcquisitionModule.h"
-
 #include "FaceTemplate.h"
+#include "MienAcquisitionModule.h"
 
 namespace mien {
 

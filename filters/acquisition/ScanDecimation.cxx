@@ -1,17 +1,14 @@
 #include "ScanDecimation.h"
 
-#include "ScanMesh.h"
-
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
-namespace mien
-{
+#include "ScanMesh.h"
 
-void decimate(TriangleMesh& mesh, int triangles)
-{
-  if (mesh.triangles.rows() <= triangles)
-    return;
+namespace mien {
+
+void decimate(TriangleMesh& mesh, int triangles) {
+  if (mesh.triangles.rows() <= triangles) return;
   const QuietOpenMesh quiet;
   ScanMesh scan = toScanMesh(mesh);
   OpenMesh::Decimater::DecimaterT<ScanMesh> decimater(scan);
@@ -23,4 +20,4 @@ void decimate(TriangleMesh& mesh, int triangles)
   mesh = toTriangleMesh(scan);
 }
 
-} // namespace mien
+}  // namespace mien

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "TriangleMesh.h"
-
 #include <string>
+
+#include "TriangleMesh.h"
 
 namespace mien {
 
-/// Reads a scan (.ply, .obj, .stl, .off) through OpenMesh; polygons are triangulated. Lengths stay in the unit of the file.
+/// Reads a scan (.ply, .obj, .stl, .off) through OpenMesh; polygons are triangulated. Lengths stay in the unit of the
+/// file.
 /// @return nothing, or one sentence that says what is wrong with the file and what to do
 std::string readScanFile(const std::string& file, TriangleMesh& mesh);
 

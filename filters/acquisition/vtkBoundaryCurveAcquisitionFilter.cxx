@@ -1,12 +1,15 @@
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
 #include "BoundaryCurveData.h"
 #include "LandmarkTable.h"
 #include "MeshData.h"
 #include "ReferenceFace.h"
 #include "ScanAcquisition.h"
 #include "ScanDecimation.h"
-
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -15,26 +18,19 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <cmath>
-#include <fstream>
-#include <sstream>
-
 vtkStandardNewMacro(vtkBoundaryCurveAcquisitionFilter);
 
-namespace
-{
+namespace {
 
 constexpr int maximumPointsPerCurve = 4096;
 constexpr int fewestTriangles = 1000;
-constexpr std::streamsize largestLandmarkFile = 1 << 20; // bytes
+constexpr std::streamsize largestLandmarkFile = 1 << 20;  // bytes
 
-std::string readLandmarkFile(const std::string& name, mien::LandmarkTable& table)
-{
+std::string readLandmarkFile(const std::string& name, mien::LandmarkTable& table) {
   std::ifstream file(name, std::ios::binary);
   std::string text(largestLandmarkFile + 1, '\0');
   file.read(text.data(), largestLandmarkFile + 1);
-  if (file.gcount() == 0)
-    return name + ": there is no such file or it is empty; give a CSV file with landmarks";
+  if (file.gcount() == 0) return name + ": there is no such file or it is empty; give a CSV file with landmarks";
   if (file.gcount() > largestLandmarkFile)
     return name + ": the file is larger than 1 MiB; give a CSV file with at most 68 landmarks";
   text.resize(static_cast<size_t>(file.gcount()));
@@ -42,8 +38,7 @@ std::string readLandmarkFile(const std::string& name, mien::LandmarkTable& table
   return fault.empty() ? fault : name + ":" + fault;
 }
 
-void writeMotion(const mien::Similarity& motion, vtkFieldData* fields)
-{
+void writeMotion(const mien::Similarity& motion, vtkFieldData* fields) {
   vtkNew<vtkDoubleArray> array;
   array->SetName("ScanToFace");
   array->SetNumberOfComponents(16);
@@ -54,74 +49,63 @@ void writeMotion(const mien::Similarity& motion, vtkFieldData* fields)
   fields->AddArray(array);
 }
 
-} // namespace
+}  // namespace
 
-vtkBoundaryCurveAcquisitionFilter::vtkBoundaryCurveAcquisitionFilter()
-  : Acquired(new mien::AcquiredScan)
-{
+vtkBoundaryCurveAcquisitionFilter::vtkBoundaryCurveAcquisitionFilter() : Acquired(new mien::AcquiredScan) {
   this->SetNumberOfOutputPorts(2);
 }
 
-vtkBoundaryCurveAcquisitionFilter::~vtkBoundaryCurveAcquisitionFilter()
-{
+vtkBoundaryCurveAcquisitionFilter::~vtkBoundaryCurveAcquisitionFilter() {
   this->SetLandmarkFileName(nullptr);
 }
 
-const mien::AcquiredScan& vtkBoundaryCurveAcquisitionFilter::GetAcquired() const
-{
+const mien::AcquiredScan& vtkBoundaryCurveAcquisitionFilter::GetAcquired() const {
   return *this->Acquired;
 }
 
-std::string vtkBoundaryCurveAcquisitionFilter::DescribeSettings() const
-{
+std::string vtkBoundaryCurveAcquisitionFilter::DescribeSettings() const {
   if (this->PointsPerCurve % 2 != 0 || this->PointsPerCurve < 8 || this->PointsPerCurve > maximumPointsPerCurve)
     return "points per curve must be an even number from 8 to " + std::to_string(maximumPointsPerCurve) + ", not " +
-      std::to_string(this->PointsPerCurve);
+           std::to_string(this->PointsPerCurve);
   if (!(this->Scale >= 0.0) || !std::isfinite(this->Scale))
     return "the scale must be a number of mm above 0, or 0 to have it recognised";
   if (this->Triangles != 0 && this->Triangles < fewestTriangles)
-    return "a scan can be decimated to " + std::to_string(fewestTriangles) + " triangles or more, not to " + std::to_string(this->Triangles);
+    return "a scan can be decimated to " + std::to_string(fewestTriangles) + " triangles or more, not to " +
+           std::to_string(this->Triangles);
   return {};
 }
 
-std::string vtkBoundaryCurveAcquisitionFilter::Measure(vtkPolyData* scan)
-{
+std::string vtkBoundaryCurveAcquisitionFilter::Measure(vtkPolyData* scan) {
   mien::LandmarkTable table;
   mien::FaceLandmarks landmarks;
   mien::TriangleMesh mesh;
   std::string fault = this->DescribeSettings();
   if (fault.empty() && this->LandmarkFileName && *this->LandmarkFileName)
     fault = readLandmarkFile(this->LandmarkFileName, table);
-  if (fault.empty())
-    fault = mien::readTriangleMesh(scan, mesh);
-  if (fault.empty())
-    fault = mien::placeLandmarks(table, mesh, landmarks);
-  if (!fault.empty())
-    return fault;
+  if (fault.empty()) fault = mien::readTriangleMesh(scan, mesh);
+  if (fault.empty()) fault = mien::placeLandmarks(table, mesh, landmarks);
+  if (!fault.empty()) return fault;
   mien::CleanMesh clean = mien::cleaned(mesh);
-  if (this->Triangles > 0)
-    mien::decimate(clean.mesh, this->Triangles);
+  if (this->Triangles > 0) mien::decimate(clean.mesh, this->Triangles);
   mien::ScanSettings settings;
   settings.millimetres = this->Scale;
   settings.pose = static_cast<mien::ScanSettings::Pose>(this->Pose);
   settings.allParts = this->AllParts;
   settings.compareLandmarks = this->CompareLandmarks;
   settings.pointsPerCurve = this->PointsPerCurve;
-  return mien::acquireScan(clean, table.given, landmarks, mien::referenceTemplate(), settings, *this->Acquired, [this](double done) {
-    this->UpdateProgress(done);
-    return this->GetAbortExecute() == 0;
-  });
+  return mien::acquireScan(clean, table.given, landmarks, mien::referenceTemplate(), settings, *this->Acquired,
+                           [this](double done) {
+                             this->UpdateProgress(done);
+                             return this->GetAbortExecute() == 0;
+                           });
 }
 
-int vtkBoundaryCurveAcquisitionFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
+int vtkBoundaryCurveAcquisitionFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                                   vtkInformationVector* outputs) {
   *this->Acquired = mien::AcquiredScan();
   const std::string fault = this->Measure(vtkPolyData::GetData(inputs[0]));
-  if (this->GetAbortExecute())
-    return 0;
-  if (!fault.empty())
-  {
+  if (this->GetAbortExecute()) return 0;
+  if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
@@ -131,8 +115,7 @@ int vtkBoundaryCurveAcquisitionFilter::RequestData(
   return 1;
 }
 
-void vtkBoundaryCurveAcquisitionFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkBoundaryCurveAcquisitionFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "LandmarkFileName: " << (this->LandmarkFileName ? this->LandmarkFileName : "(none)") << "\n";
   os << indent << "PointsPerCurve: " << this->PointsPerCurve << "\n";

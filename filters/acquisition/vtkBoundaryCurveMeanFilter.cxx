@@ -2,7 +2,6 @@
 
 #include "BoundaryCurveData.h"
 #include "FaceAcquisition.h"
-
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -11,43 +10,35 @@
 
 vtkStandardNewMacro(vtkBoundaryCurveMeanFilter);
 
-namespace
-{
+namespace {
 
-std::string readFaces(vtkInformationVector* inputs, std::vector<mien::FaceCurves>& faces)
-{
-  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
-  {
+std::string readFaces(vtkInformationVector* inputs, std::vector<mien::FaceCurves>& faces) {
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i) {
     mien::FaceCurves face;
     const std::string fault = mien::readFaceCurves(vtkPolyData::GetData(inputs, i), face);
-    if (!fault.empty())
-      return "input " + std::to_string(i) + ": " + fault;
+    if (!fault.empty()) return "input " + std::to_string(i) + ": " + fault;
     faces.push_back(std::move(face));
   }
   return {};
 }
 
-} // namespace
+}  // namespace
 
 vtkBoundaryCurveMeanFilter::vtkBoundaryCurveMeanFilter() = default;
 vtkBoundaryCurveMeanFilter::~vtkBoundaryCurveMeanFilter() = default;
 
-int vtkBoundaryCurveMeanFilter::FillInputPortInformation(int port, vtkInformation* info)
-{
+int vtkBoundaryCurveMeanFilter::FillInputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
-int vtkBoundaryCurveMeanFilter::RequestData(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
+int vtkBoundaryCurveMeanFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                            vtkInformationVector* outputs) {
   std::vector<mien::FaceCurves> faces;
   mien::FaceCurves mean;
   std::string fault = readFaces(inputs[0], faces);
-  if (fault.empty())
-    fault = mien::meanFace(faces, mean);
-  if (!fault.empty())
-  {
+  if (fault.empty()) fault = mien::meanFace(faces, mean);
+  if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
@@ -55,8 +46,7 @@ int vtkBoundaryCurveMeanFilter::RequestData(
   return 1;
 }
 
-void vtkBoundaryCurveMeanFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkBoundaryCurveMeanFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Symmetric: " << (this->Symmetric ? "on" : "off") << "\n";
 }

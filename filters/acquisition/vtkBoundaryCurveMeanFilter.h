@@ -14,9 +14,8 @@
 #include "MienAcquisitionModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-class MIENACQUISITION_EXPORT vtkBoundaryCurveMeanFilter : public vtkPolyDataAlgorithm
-{
-public:
+class MIENACQUISITION_EXPORT vtkBoundaryCurveMeanFilter : public vtkPolyDataAlgorithm {
+ public:
   static vtkBoundaryCurveMeanFilter* New();
   vtkTypeMacro(vtkBoundaryCurveMeanFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -28,13 +27,13 @@ public:
   vtkBooleanMacro(Symmetric, bool);
   ///@}
 
-protected:
+ protected:
   vtkBoundaryCurveMeanFilter();
   ~vtkBoundaryCurveMeanFilter() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-private:
+ private:
   vtkBoundaryCurveMeanFilter(const vtkBoundaryCurveMeanFilter&) = delete;
   void operator=(const vtkBoundaryCurveMeanFilter&) = delete;
 

@@ -2,24 +2,25 @@
  * @class vtkLevelOfDetailFilter
  * @brief bytes against error: a head as a PDE face, as its modes, as compact faces and as decimated meshes
  *
- * Inputs: port 0 vtkPolyData, the boundary curves of a head (BoundaryCurveData.h, 29 curves of K points, mm); port 1 vtkPolyData, the
- * scan they were measured on, in the same frame (mm).
- * Output: vtkTable, one row per level, columns
- * - `representation`: "scan", "PDE face" (29 K points), "modes" (the first N Fourier modes of the curves), "compact face" (.mienz,
- *   CompactFace.h), "decimated mesh" (OpenMesh's quadric module) and "packed mesh" (the same, rounded and packed: MeshCode.h); `detail`;
- * - `bytes`: coordinates as single precision numbers; a mesh has three per vertex and three 16 bit indices per triangle (32 bit
- *   beyond 65,536 vertices); compact faces and packed meshes as packed;
+ * Inputs: port 0 vtkPolyData, the boundary curves of a head (BoundaryCurveData.h, 29 curves of K points, mm); port 1
+ * vtkPolyData, the scan they were measured on, in the same frame (mm). Output: vtkTable, one row per level, columns
+ * - `representation`: "scan", "PDE face" (29 K points), "modes" (the first N Fourier modes of the curves), "compact
+ * face" (.mienz, CompactFace.h), "decimated mesh" (OpenMesh's quadric module) and "packed mesh" (the same, rounded and
+ * packed: MeshCode.h); `detail`;
+ * - `bytes`: coordinates as single precision numbers; a mesh has three per vertex and three 16 bit indices per triangle
+ * (32 bit beyond 65,536 vertices); compact faces and packed meshes as packed;
  * - `triangles`: of meshes, 0 for curves;
- * - `rms_mm`, `max_mm`: from the level's surface to the scan; `back_rms_mm`, `back_max_mm`: from the scan to it; `symmetric_rms_mm`,
- *   `hausdorff_mm`: the larger of both ways;
+ * - `rms_mm`, `max_mm`: from the level's surface to the scan; `back_rms_mm`, `back_max_mm`: from the scan to it;
+ * `symmetric_rms_mm`, `hausdorff_mm`: the larger of both ways;
  * - `curves_rms_mm`: between the curves' points and those of port 0; NaN for meshes.
  *
  * All are measured alike: at points 2 mm apart spread evenly over the surfaces, weighted with area, where z is beyond
- * FrontalThreshold and between the first and the last curve, 4 mm inside them. From the scan only its outer skin counts, as
- * seen from the axis of the head. Meshes are made from the part of the scan between the first and last curve, all around the head, which is what
- * the face covers, and get as many triangles as fit into the bytes of each face. Faces use the surface parameters of the base class.
- * Tells its progress and can be aborted, which leaves an empty table.
- * Errors: curves that are no face, parameters out of range, a scan without triangles or without skin where the face is.
+ * FrontalThreshold and between the first and the last curve, 4 mm inside them. From the scan only its outer skin
+ * counts, as seen from the axis of the head. Meshes are made from the part of the scan between the first and last
+ * curve, all around the head, which is what the face covers, and get as many triangles as fit into the bytes of each
+ * face. Faces use the surface parameters of the base class. Tells its progress and can be aborted, which leaves an
+ * empty table. Errors: curves that are no face, parameters out of range, a scan without triangles or without skin where
+ * the face is.
  * @sa vtkCompactFaceWriter vtkSurfaceDistanceFilter
  */
 #ifndef vtkLevelOfDetailFilter_h
@@ -30,9 +31,8 @@
 
 class vtkTable;
 
-class MIENACQUISITION_EXPORT vtkLevelOfDetailFilter : public vtkPDEFaceAlgorithm
-{
-public:
+class MIENACQUISITION_EXPORT vtkLevelOfDetailFilter : public vtkPDEFaceAlgorithm {
+ public:
   static vtkLevelOfDetailFilter* New();
   vtkTypeMacro(vtkLevelOfDetailFilter, vtkPDEFaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -46,7 +46,8 @@ public:
   ///@}
 
   ///@{
-  /** RMS point distances at which the face is stored as a compact face, mm, each 1e-6 .. 100. Default 0.05, 0.1, 0.2, 0.5, 1, 2, 4. */
+  /** RMS point distances at which the face is stored as a compact face, mm, each 1e-6 .. 100. Default 0.05, 0.1, 0.2,
+   * 0.5, 1, 2, 4. */
   void SetTolerances(const std::vector<double>& tolerances);
   std::vector<double> GetTolerances() const { return this->Tolerances; }
   ///@}
@@ -63,7 +64,7 @@ public:
   vtkGetMacro(SampleSpacing, double);
   ///@}
 
-protected:
+ protected:
   vtkLevelOfDetailFilter();
   ~vtkLevelOfDetailFilter() override = default;
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -71,7 +72,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-private:
+ private:
   vtkLevelOfDetailFilter(const vtkLevelOfDetailFilter&) = delete;
   void operator=(const vtkLevelOfDetailFilter&) = delete;
 

@@ -2,7 +2,6 @@
 
 #include "MeshData.h"
 #include "ScanFile.h"
-
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -10,23 +9,19 @@
 
 vtkStandardNewMacro(vtkScanReader);
 
-vtkScanReader::vtkScanReader()
-{
+vtkScanReader::vtkScanReader() {
   this->SetNumberOfInputPorts(0);
 }
 
-vtkScanReader::~vtkScanReader()
-{
+vtkScanReader::~vtkScanReader() {
   this->SetFileName(nullptr);
 }
 
-int vtkScanReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
-{
+int vtkScanReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
   const std::string name = this->FileName ? this->FileName : "";
   mien::TriangleMesh mesh;
   const std::string fault = mien::readScanFile(name, mesh);
-  if (!fault.empty())
-  {
+  if (!fault.empty()) {
     vtkErrorMacro(<< (name.empty() ? "FileName is not set" : name) << ": " << fault);
     return 0;
   }
@@ -34,8 +29,7 @@ int vtkScanReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   return 1;
 }
 
-void vtkScanReader::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkScanReader::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
 }

@@ -12,9 +12,8 @@
 #include "MienAcquisitionModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-class MIENACQUISITION_EXPORT vtkScanReader : public vtkPolyDataAlgorithm
-{
-public:
+class MIENACQUISITION_EXPORT vtkScanReader : public vtkPolyDataAlgorithm {
+ public:
   static vtkScanReader* New();
   vtkTypeMacro(vtkScanReader, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -25,12 +24,12 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-protected:
+ protected:
   vtkScanReader();
   ~vtkScanReader() override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-private:
+ private:
   vtkScanReader(const vtkScanReader&) = delete;
   void operator=(const vtkScanReader&) = delete;
 

@@ -50,8 +50,8 @@ vtkSmartPointer<vtkPoints> doublePoints(vtkPoints* source) {
   return points;
 }
 
-/// The data with an own point for every line: where two lines share one (the closed lips, from a file that merged equal points)
-/// the later line gets a copy with the point's arrays, or the mouth could not open.
+/// The data with an own point for every line: where two lines share one (the closed lips, from a file that merged equal
+/// points) the later line gets a copy with the point's arrays, or the mouth could not open.
 vtkSmartPointer<vtkPolyData> withOwnPoints(vtkPolyData* data) {
   std::vector<vtkIdType> lineOfPoint(data->GetNumberOfPoints(), -1), source(data->GetNumberOfPoints());
   std::iota(source.begin(), source.end(), 0);
@@ -130,7 +130,8 @@ const ExpressionLibrary& defaultVisemes() {
   return library;
 }
 
-void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* curves, vtkPolyData* output) {
+void writeMovedCurves(const ClosedCurves& neutral, const ClosedCurves& moved, vtkPolyData* curves,
+                      vtkPolyData* output) {
   const vtkSmartPointer<vtkPolyData> input = withOwnPoints(curves);
   output->ShallowCopy(input);
   vtkSmartPointer<vtkPoints> points = doublePoints(input->GetPoints());

@@ -1,11 +1,13 @@
 #include "FacePipeline.h"
 
+#include <algorithm>
+#include <sstream>
+
 #include "BoundaryCurveData.h"
 #include "FAPSequence.h"
 #include "FAPUnits.h"
 #include "FaceLayout.h"
 #include "PipelineErrors.h"
-
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCurveEditFilter.h"
 #include "vtkFAPAnimationFilter.h"
@@ -19,35 +21,29 @@
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 
-#include <algorithm>
-#include <sstream>
-
 namespace mien {
 
 namespace {
 
 constexpr int smallestAnimatedCurve = 32;  // points
 
-bool isAnimated(const FaceState& state)
-{
+bool isAnimated(const FaceState& state) {
   const auto moves = [](const auto& fap) { return fap.second != 0.0; };
   return !state.fapFile.empty() || !state.expressions.empty() ||
-    std::any_of(state.fapValues.begin(), state.fapValues.end(), moves);
+         std::any_of(state.fapValues.begin(), state.fapValues.end(), moves);
 }
 
 /// Whether the face has the feature points and the number of points that animation needs.
-bool canBeAnimated(vtkPolyData* curves)
-{
+bool canBeAnimated(vtkPolyData* curves) {
   FaceCurves face;
   FAPUnits units;
   return readFaceCurves(curves, face).empty() && measureFAPUnits(face, units).empty() &&
-    face.curves.pointsPerCurve >= smallestAnimatedCurve;
+         face.curves.pointsPerCurve >= smallestAnimatedCurve;
 }
 
-} // namespace
+}  // namespace
 
-struct FacePipeline::Internals
-{
+struct FacePipeline::Internals {
   FaceState state;
   vtkNew<vtkBoundaryCurveReader> reader;
   vtkNew<vtkCurveEditFilter> edit;
@@ -61,8 +57,7 @@ struct FacePipeline::Internals
   vtkNew<vtkGeometryFilter> surface;
   PipelineErrors errors;
 
-  Internals()
-  {
+  Internals() {
     edit->SetInputConnection(reader->GetOutputPort());
     animation->SetInputConnection(edit->GetOutputPort());
     curves->SetInputConnection(animation->GetOutputPort());
@@ -71,41 +66,35 @@ struct FacePipeline::Internals
     deformation->SetTableConnection(table->GetOutputPort());
     skin->SetInputConnection(face->GetOutputPort());
     surface->SetInputConnection(skin->GetOutputPort());
-    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{ reader, edit, frames, animation, curves, face, table,
-           deformation, skin, surface })
+    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{reader, edit, frames, animation, curves, face,
+                                                                        table, deformation, skin, surface})
       errors.observe(algorithm);
   }
 
   /// A face without feature points is still a face: while nothing moves it goes around the animation.
-  void chooseCurves()
-  {
+  void chooseCurves() {
     const bool around = !isAnimated(state) && !canBeAnimated(reader->GetOutput());
     curves->SetInputConnection((around ? static_cast<vtkAlgorithm*>(edit) : animation)->GetOutputPort());
   }
 
-  void setMotion()
-  {
+  void setMotion() {
     frames->SetFileName(state.fapFile.empty() ? nullptr : state.fapFile.c_str());
     animation->SetFAPConnection(state.fapFile.empty() ? nullptr : frames->GetOutputPort());
-    for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
-    {
+    for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap) {
       const auto found = state.fapValues.find(fap);
       animation->SetFAP(fap, found == state.fapValues.end() ? 0.0 : found->second);
     }
-    for (const std::string& name : vtkFAPAnimationFilter::GetExpressionNames())
-    {
+    for (const std::string& name : vtkFAPAnimationFilter::GetExpressionNames()) {
       const auto found = state.expressions.find(name);
       animation->SetExpression(name, found == state.expressions.end() ? 0.0 : found->second);
     }
     animation->SetAnimationTableFileName(state.animationTable);
   }
 
-  std::string describeExpressionFault() const
-  {
+  std::string describeExpressionFault() const {
     const std::vector<std::string> names = vtkFAPAnimationFilter::GetExpressionNames();
     std::string all;
-    for (const std::string& name : names)
-      all += (all.empty() ? "" : ", ") + name;
+    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
     for (const auto& expression : state.expressions)
       if (std::find(names.begin(), names.end(), expression.first) == names.end())
         return "there is no expression '" + expression.first + "'; there are " + all;
@@ -113,10 +102,8 @@ struct FacePipeline::Internals
   }
 
   /// Makes the reader give the frame that the state chooses. @return nothing, or why there is none
-  std::string chooseFrame()
-  {
-    if (state.fapFile.empty())
-      return {};
+  std::string chooseFrame() {
+    if (state.fapFile.empty()) return {};
     using Choice = FaceState::FrameChoice;
     const bool mixed = state.frameChoice == Choice::Time && state.interpolateFrames;
     int index = static_cast<int>(std::min<double>(state.frame, frames->GetNumberOfFrames()));
@@ -124,28 +111,26 @@ struct FacePipeline::Internals
       index = frames->GetIndexOfFrameNumber(state.frame);
     else if (state.frameChoice == Choice::Time)
       index = static_cast<int>(frames->GetSequence().indexAtTime(state.frame));
-    if (index < 0 || index >= frames->GetNumberOfFrames())
-      return this->describeMissingFrame();
+    if (index < 0 || index >= frames->GetNumberOfFrames()) return this->describeMissingFrame();
     frames->SetInterpolate(mixed);
     frames->SetFrameIndex(mixed ? -1 : index);
     return {};
   }
 
-  std::string describeMissingFrame() const
-  {
+  std::string describeMissingFrame() const {
     const std::vector<FAPFrame>& all = frames->GetSequence().frames;
     std::ostringstream text;
     text << state.fapFile << ": there is no frame ";
     if (state.frameChoice == FaceState::FrameChoice::Number)
-      text << "with number " << state.frame << "; numbers run from " << all.front().number << " to " << all.back().number;
+      text << "with number " << state.frame << "; numbers run from " << all.front().number << " to "
+           << all.back().number;
     else
       text << "with index " << state.frame << "; indices run from 0 to " << all.size() - 1;
     return text.str();
   }
 
   /// The table bends the surface between the face and what shows it.
-  void setDeformation()
-  {
+  void setDeformation() {
     const FaceDeformation& chosen = state.deformation;
     const bool none = chosen.table.empty();
     table->SetFileName(none ? nullptr : chosen.table.c_str());
@@ -154,30 +139,26 @@ struct FacePipeline::Internals
     skin->SetInputConnection((none ? static_cast<vtkAlgorithm*>(face) : deformation)->GetOutputPort());
   }
 
-  void setGrid()
-  {
+  void setGrid() {
     face->SetResolution(state.rows, state.columns);
     face->SetUniformRows(state.uniformRows);
-    face->SetOutputPointsPrecision(state.doublePrecision ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::SINGLE_PRECISION);
+    face->SetOutputPointsPrecision(state.doublePrecision ? vtkAlgorithm::DOUBLE_PRECISION
+                                                         : vtkAlgorithm::SINGLE_PRECISION);
   }
 
   /// Reads the curves and what the animation file holds.
-  std::string readInputs()
-  {
+  std::string readInputs() {
     errors.clear();
     reader->Update();
-    if (errors.first().empty() && !state.fapFile.empty())
-      frames->UpdateInformation();
+    if (errors.first().empty() && !state.fapFile.empty()) frames->UpdateInformation();
     this->chooseCurves();
     return this->afterUpdate();
   }
 
   /// After a failure VTK does not run a filter again until it is modified.
-  std::string afterUpdate()
-  {
+  std::string afterUpdate() {
     const std::string fault = errors.first();
-    if (!fault.empty())
-    {
+    if (!fault.empty()) {
       reader->Modified();
       edit->Modified();
       frames->Modified();
@@ -186,26 +167,18 @@ struct FacePipeline::Internals
     return fault;
   }
 
-  int pointsPerCurve()
-  {
-    return static_cast<int>(reader->GetOutput()->GetNumberOfPoints() / FaceLayout::curveCount);
-  }
+  int pointsPerCurve() { return static_cast<int>(reader->GetOutput()->GetNumberOfPoints() / FaceLayout::curveCount); }
 
-  std::string describeValueFault()
-  {
+  std::string describeValueFault() {
     std::string fault = describeFault(state, this->pointsPerCurve());
-    if (fault.empty())
-      fault = this->describeExpressionFault();
+    if (fault.empty()) fault = this->describeExpressionFault();
     return fault.empty() ? this->chooseFrame() : fault;
   }
 
-  std::string update(vtkAlgorithm* algorithm)
-  {
+  std::string update(vtkAlgorithm* algorithm) {
     std::string fault = this->readInputs();
-    if (fault.empty())
-      fault = this->describeValueFault();
-    if (!fault.empty())
-      return fault;
+    if (fault.empty()) fault = this->describeValueFault();
+    if (!fault.empty()) return fault;
     if (frames->GetFrameIndex() < 0 && !state.fapFile.empty())
       algorithm->UpdateTimeStep(state.frame);
     else
@@ -214,16 +187,13 @@ struct FacePipeline::Internals
   }
 };
 
-FacePipeline::FacePipeline()
-  : Impl(new Internals)
-{
+FacePipeline::FacePipeline() : Impl(new Internals) {
   this->setState({});
 }
 
 FacePipeline::~FacePipeline() = default;
 
-void FacePipeline::setState(const FaceState& state)
-{
+void FacePipeline::setState(const FaceState& state) {
   this->Impl->state = state;
   this->Impl->reader->SetFileName(state.curvesFile.empty() ? nullptr : state.curvesFile.c_str());
   this->Impl->edit->SetEdits(state.edits);
@@ -233,69 +203,56 @@ void FacePipeline::setState(const FaceState& state)
   this->Impl->setDeformation();
 }
 
-const FaceState& FacePipeline::state() const
-{
+const FaceState& FacePipeline::state() const {
   return this->Impl->state;
 }
 
-vtkBoundaryCurveReader* FacePipeline::neutralCurves() const
-{
+vtkBoundaryCurveReader* FacePipeline::neutralCurves() const {
   return this->Impl->reader;
 }
 
-vtkFAPReader* FacePipeline::frames() const
-{
+vtkFAPReader* FacePipeline::frames() const {
   return this->Impl->frames;
 }
 
-vtkFAPAnimationFilter* FacePipeline::animation() const
-{
+vtkFAPAnimationFilter* FacePipeline::animation() const {
   return this->Impl->animation;
 }
 
-vtkAlgorithm* FacePipeline::curves() const
-{
+vtkAlgorithm* FacePipeline::curves() const {
   return this->Impl->curves;
 }
 
-vtkPDEFaceFilter* FacePipeline::face() const
-{
+vtkPDEFaceFilter* FacePipeline::face() const {
   return this->Impl->face;
 }
 
-vtkStructuredGrid* FacePipeline::grid() const
-{
+vtkStructuredGrid* FacePipeline::grid() const {
   return vtkStructuredGrid::SafeDownCast(this->Impl->skin->GetOutputDataObject(0));
 }
 
-vtkAlgorithm* FacePipeline::surface() const
-{
+vtkAlgorithm* FacePipeline::surface() const {
   return this->Impl->surface;
 }
 
-std::string FacePipeline::updateNeutralCurves()
-{
+std::string FacePipeline::updateNeutralCurves() {
   return this->Impl->readInputs();
 }
 
-std::string FacePipeline::describeValueFault()
-{
+std::string FacePipeline::describeValueFault() {
   return this->Impl->describeValueFault();
 }
 
-int FacePipeline::pointsPerCurve() const
-{
+int FacePipeline::pointsPerCurve() const {
   return this->Impl->pointsPerCurve();
 }
 
-std::string FacePipeline::updateCurves()
-{
+std::string FacePipeline::updateCurves() {
   return this->Impl->update(this->Impl->curves);
 }
 
-std::string FacePipeline::update()
-{
+std::string FacePipeline::update() {
   return this->Impl->update(this->Impl->surface);
 }
 
-} // namespace mien
+}  // namespace mien

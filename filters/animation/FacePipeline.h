@@ -1,11 +1,10 @@
 #pragma once
 
-#include "MienAnimationModule.h"
-
-#include "FaceState.h"
-
 #include <memory>
 #include <string>
+
+#include "FaceState.h"
+#include "MienAnimationModule.h"
 
 class vtkAlgorithm;
 class vtkBoundaryCurveReader;
@@ -23,9 +22,8 @@ class vtkStructuredGrid;
 /// Errors are kept, not printed: update() returns them.
 namespace mien {
 
-class MIENANIMATION_EXPORT FacePipeline
-{
-public:
+class MIENANIMATION_EXPORT FacePipeline {
+ public:
   FacePipeline();
   ~FacePipeline();
   FacePipeline(const FacePipeline&) = delete;
@@ -35,12 +33,13 @@ public:
   const FaceState& state() const;
 
   vtkBoundaryCurveReader* neutralCurves() const;  ///< as read, before edits
-  vtkFAPReader* frames() const;              ///< the animation file's; empty until a state with a file was updated
+  vtkFAPReader* frames() const;                   ///< the animation file's; empty until a state with a file was updated
   vtkFAPAnimationFilter* animation() const;
-  vtkAlgorithm* curves() const;    ///< vtkPolyData, the boundary curves as animated
-  vtkPDEFaceFilter* face() const;  ///< vtkStructuredGrid with the mouth slit blanked, before any table
-  vtkStructuredGrid* grid() const; ///< the same as the table leaves it; brought up to date by update()
-  vtkAlgorithm* surface() const;   ///< vtkPolyData for mappers, locators and writers: without the slit; wound inwards as the grid
+  vtkAlgorithm* curves() const;     ///< vtkPolyData, the boundary curves as animated
+  vtkPDEFaceFilter* face() const;   ///< vtkStructuredGrid with the mouth slit blanked, before any table
+  vtkStructuredGrid* grid() const;  ///< the same as the table leaves it; brought up to date by update()
+  vtkAlgorithm* surface()
+      const;  ///< vtkPolyData for mappers, locators and writers: without the slit; wound inwards as the grid
 
   /// Reads the curves, and what the animation file holds; what is wrong with the files, or nothing.
   std::string updateNeutralCurves();
@@ -58,9 +57,9 @@ public:
   /// Brings the surface up to date; the first error on the way as one sentence, or nothing.
   std::string update();
 
-private:
+ private:
   struct Internals;
   std::unique_ptr<Internals> Impl;
 };
 
-} // namespace mien
+}  // namespace mien

@@ -5,9 +5,9 @@
  * Input port 0: vtkPolyData, the neutral boundary curves of BoundaryCurveData.h (29 curves of K >= 32 points,
  * mm) with feature points and pupils. Input port 1, optional: vtkTable of one row, a FAP frame as vtkFAPReader
  * gives it (columns as in FAPTableData.h). FAP 1 (visemes, blended by b / 63) and FAP 2
- * (expressions, intensity / 63) are shapes that are added to the low-level values. Values set with SetFAP() and SetExpression() are added to the table's.
- * Output: vtkPolyData, the input with moved points (double) and the point array `Displacement` (3 components,
- * mm, against the neutral); all other arrays are passed.
+ * (expressions, intensity / 63) are shapes that are added to the low-level values. Values set with SetFAP() and
+ * SetExpression() are added to the table's. Output: vtkPolyData, the input with moved points (double) and the point
+ * array `Displacement` (3 components, mm, against the neutral); all other arrays are passed.
  *
  * Equation: displacement = sum over the FAPs of value x FAPU / 1024 x direction x weight, piecewise linear per
  * FAP [Sheng et al. 2011, section 5]; lips and lids touch but do not cross. No FAPs give the input's points bit for

@@ -54,7 +54,8 @@ std::string vtkFAPReader::Load() {
   if (state.Name == "-" && this->Streams)
     return this->Sequence->frames.empty() ? "standard input: no frame has come yet; wait for the first" : "";
   std::error_code ignored;
-  if (state.Name != "-") state.Modified = std::filesystem::last_write_time(state.Name, ignored).time_since_epoch().count();
+  if (state.Name != "-")
+    state.Modified = std::filesystem::last_write_time(state.Name, ignored).time_since_epoch().count();
   if (state.Name != "-") state.Size = std::filesystem::file_size(state.Name, ignored);
   if (!this->Sequence->frames.empty() && state == this->Loaded) return {};
   const std::string fault = readSequence(state.Name, *this->Sequence, this->Format);

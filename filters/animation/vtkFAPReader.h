@@ -6,9 +6,9 @@
  * `FAP3` .. `FAP68` (FAP units) as described in FAPTableData.h. The reader publishes TIME_STEPS (s; frame i, from 0,
  * is at i / frames per second) and TIME_RANGE, and answers UPDATE_TIME_STEP; the information of the output carries
  * DATA_TIME_STEP, the time of the frame given. Without a time request it gives the first frame.
- * Formats, and what is accepted with a warning: .fap (FAPParser.h); tables with a header (.csv) of FAPs (FAPCsvParser.h),
- * FACS action units or ARKit blendshapes (CaptureParser.h), which is seen from the header.
- * Errors: `FILE:LINE: what is wrong`. What was loaded before a refused file stays, with all that the getters say.
+ * Formats, and what is accepted with a warning: .fap (FAPParser.h); tables with a header (.csv) of FAPs
+ * (FAPCsvParser.h), FACS action units or ARKit blendshapes (CaptureParser.h), which is seen from the header. Errors:
+ * `FILE:LINE: what is wrong`. What was loaded before a refused file stays, with all that the getters say.
  * @sa vtkFAPAnimationFilter
  */
 #ifndef vtkFAPReader_h
@@ -24,7 +24,7 @@
 namespace mien {
 class FAPFrame;
 struct FAPSequence;
-}
+}  // namespace mien
 
 class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
  public:
@@ -34,8 +34,8 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
 
   ///@{
   /**
-   * The .fap or .csv file, or "-" for standard input. It is read again when it has changed on disk and the reader is updated after Modified().
-   * Default: none.
+   * The .fap or .csv file, or "-" for standard input. It is read again when it has changed on disk and the reader is
+   * updated after Modified(). Default: none.
    */
   vtkSetFilePathMacro(FileName);
   vtkGetFilePathMacro(FileName);
@@ -56,8 +56,8 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
 
   ///@{
   /**
-   * Frames that come from elsewhere, for a stream that is still being written. StartStream() takes the place of the file:
-   * FileName "-" then stands for the frames appended since. Without it "-" is standard input, read to its end.
+   * Frames that come from elsewhere, for a stream that is still being written. StartStream() takes the place of the
+   * file: FileName "-" then stands for the frames appended since. Without it "-" is standard input, read to its end.
    */
   void StartStream(double framesPerSecond, const std::string& name);
   void AppendFrame(const mien::FAPFrame& frame);
@@ -70,7 +70,7 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
   /** What the file loaded last says; call UpdateInformation() first. */
   int GetNumberOfFrames() const;
   double GetFramesPerSecond() const;
-  std::string GetFormat() const;   ///< "FAPs (.fap)", "FAPs (table)", "FACS action units", "ARKit blendshapes"
+  std::string GetFormat() const;  ///< "FAPs (.fap)", "FAPs (table)", "FACS action units", "ARKit blendshapes"
   std::string GetName() const;
   std::string GetVersion() const;                ///< "2.0" or "2.1"; empty when the file has no header
   std::vector<std::string> GetWarnings() const;  ///< each `FILE:LINE: what`, in the order of the lines

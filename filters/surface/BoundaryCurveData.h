@@ -1,11 +1,10 @@
 #pragma once
 
-#include "MienSurfaceModule.h"
+#include <string>
 
 #include "FaceCurves.h"
 #include "HeadRotation.h"
-
-#include <string>
+#include "MienSurfaceModule.h"
 
 class vtkFieldData;
 class vtkPolyData;

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "MienSurfaceModule.h"
+#include <string>
 
 #include "CompactFace.h"
-
-#include <string>
+#include "MienSurfaceModule.h"
 
 /// Compact face files (.mienz) on disk; the format stands in CompactFace.h.
 namespace mien {

@@ -9,8 +9,7 @@ namespace mien {
 namespace {
 
 /// VTK's text is "ERROR: In FILE, line N\nCLASS (ADDRESS): MESSAGE\n\n".
-std::string messageOf(const std::string& text)
-{
+std::string messageOf(const std::string& text) {
   const size_t line = text.find('\n');
   const size_t source = line == std::string::npos ? line : text.find("): ", line);
   const size_t begin = source == std::string::npos ? 0 : source + 3;
@@ -18,15 +17,13 @@ std::string messageOf(const std::string& text)
   return end == std::string::npos || end < begin ? std::string() : text.substr(begin, end + 1 - begin);
 }
 
-} // namespace
+}  // namespace
 
-class PipelineErrors::Keeper : public vtkCommand
-{
-public:
+class PipelineErrors::Keeper : public vtkCommand {
+ public:
   static Keeper* New() { return new Keeper; }
 
-  void Execute(vtkObject*, unsigned long event, void* data) override
-  {
+  void Execute(vtkObject*, unsigned long event, void* data) override {
     const std::string message = data ? messageOf(static_cast<const char*>(data)) : "something failed without a message";
     (event == vtkCommand::ErrorEvent ? errors : warnings).push_back(message);
   }
@@ -35,42 +32,33 @@ public:
   std::vector<std::string> warnings;
 };
 
-PipelineErrors::PipelineErrors()
-  : Kept(Keeper::New())
-{
-}
+PipelineErrors::PipelineErrors() : Kept(Keeper::New()) {}
 
-PipelineErrors::~PipelineErrors()
-{
+PipelineErrors::~PipelineErrors() {
   this->Kept->UnRegister();
 }
 
-void PipelineErrors::observe(vtkAlgorithm* algorithm)
-{
-  for (vtkObject* source : { static_cast<vtkObject*>(algorithm), static_cast<vtkObject*>(algorithm->GetExecutive()) })
-    for (const unsigned long event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
+void PipelineErrors::observe(vtkAlgorithm* algorithm) {
+  for (vtkObject* source : {static_cast<vtkObject*>(algorithm), static_cast<vtkObject*>(algorithm->GetExecutive())})
+    for (const unsigned long event : {vtkCommand::ErrorEvent, vtkCommand::WarningEvent})
       source->AddObserver(event, this->Kept);
 }
 
-vtkCommand* PipelineErrors::observer() const
-{
+vtkCommand* PipelineErrors::observer() const {
   return this->Kept;
 }
 
-std::string PipelineErrors::first() const
-{
+std::string PipelineErrors::first() const {
   return this->Kept->errors.empty() ? std::string() : this->Kept->errors.front();
 }
 
-std::vector<std::string> PipelineErrors::warnings() const
-{
+std::vector<std::string> PipelineErrors::warnings() const {
   return this->Kept->warnings;
 }
 
-void PipelineErrors::clear()
-{
+void PipelineErrors::clear() {
   this->Kept->errors.clear();
   this->Kept->warnings.clear();
 }
 
-} // namespace mien
+}  // namespace mien

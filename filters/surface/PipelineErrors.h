@@ -1,9 +1,9 @@
 #pragma once
 
-#include "MienSurfaceModule.h"
-
 #include <string>
 #include <vector>
+
+#include "MienSurfaceModule.h"
 
 class vtkAlgorithm;
 class vtkCommand;
@@ -14,9 +14,8 @@ class vtkCommand;
 /// May be destroyed before the filters.
 namespace mien {
 
-class MIENSURFACE_EXPORT PipelineErrors
-{
-public:
+class MIENSURFACE_EXPORT PipelineErrors {
+ public:
   PipelineErrors();
   ~PipelineErrors();
   PipelineErrors(const PipelineErrors&) = delete;
@@ -35,9 +34,9 @@ public:
 
   void clear();
 
-private:
+ private:
   class Keeper;
   Keeper* Kept;
 };
 
-} // namespace mien
+}  // namespace mien

@@ -1,32 +1,28 @@
 #pragma once
 
-#include "MienSurfaceModule.h"
-
-#include "vtkSmartPointer.h"
-
 #include <functional>
 #include <memory>
 #include <vector>
 
+#include "MienSurfaceModule.h"
+#include "vtkSmartPointer.h"
+
 class vtkPolyData;
 
-namespace mien
-{
+namespace mien {
 
 /// How far the points of a surface lie from another, weighted with the area that belongs to each point.
-struct DistanceSummary
-{
-  double rms = 0.0;     ///< mm
-  double mean = 0.0;    ///< of the absolute distances, mm
-  double maximum = 0.0; ///< mm
-  double area = 0.0;    ///< of all points that were measured, mm2
+struct DistanceSummary {
+  double rms = 0.0;      ///< mm
+  double mean = 0.0;     ///< of the absolute distances, mm
+  double maximum = 0.0;  ///< mm
+  double area = 0.0;     ///< of all points that were measured, mm2
   long long points = 0;
 };
 
 /// Distances of points to a fixed triangulated surface. Safe to call from several threads.
-class MIENSURFACE_EXPORT SurfaceDistance
-{
-public:
+class MIENSURFACE_EXPORT SurfaceDistance {
+ public:
   /// @param triangles  see trianglesOf(); must not change afterwards
   explicit SurfaceDistance(vtkPolyData* triangles);
   ~SurfaceDistance();
@@ -35,13 +31,13 @@ public:
   /// triangle, edge or corner [Baerentzen and Aanaes 2005, angle-weighted pseudonormals].
   double operator()(const double point[3], bool withSign) const;
 
-private:
+ private:
   struct Internals;
   std::unique_ptr<Internals> Impl;
 };
 
 /// Sums up; only points for which `counts` says so are taken.
-DistanceSummary summarize(
-  const std::vector<double>& distances, const std::vector<double>& areas, const std::function<bool(size_t)>& counts);
+DistanceSummary summarize(const std::vector<double>& distances, const std::vector<double>& areas,
+                          const std::function<bool(size_t)>& counts);
 
-} // namespace mien
+}  // namespace mien

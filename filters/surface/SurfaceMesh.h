@@ -1,16 +1,15 @@
 #pragma once
 
-#include "vtkSmartPointer.h"
-
 #include <string>
 #include <vector>
+
+#include "vtkSmartPointer.h"
 
 class vtkDataObject;
 class vtkInformation;
 class vtkPolyData;
 
-namespace mien
-{
+namespace mien {
 
 /// Asks an input for all of its data, whatever part of an output is wanted; an input that is not there is none.
 void requestWhole(vtkInformation* input);
@@ -32,8 +31,7 @@ vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* surface);
 std::string describeMeshFault(vtkPolyData* mesh, const std::string& name);
 
 /// A surface as it is shown and the triangles that measure it.
-struct SurfaceMesh
-{
+struct SurfaceMesh {
   vtkSmartPointer<vtkPolyData> surface, triangles;
 };
 
@@ -47,4 +45,4 @@ std::string describeFault(vtkPolyData* triangles, const std::string& name);
 /// Area that belongs to each point: a third of every triangle around it (mm2).
 std::vector<double> pointAreas(vtkPolyData* triangles);
 
-} // namespace mien
+}  // namespace mien

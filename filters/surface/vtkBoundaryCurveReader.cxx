@@ -4,7 +4,6 @@
 #include "CompactFaceFile.h"
 #include "GenericFaceFile.h"
 #include "XMLDataFile.h"
-
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -17,14 +16,11 @@
 
 vtkStandardNewMacro(vtkBoundaryCurveReader);
 
-namespace
-{
+namespace {
 
 /// @return nothing, or the file's name and what is wrong with it
-std::string readXML(const std::string& name, vtkXMLPolyDataReader* reader)
-{
-  if (!name.empty())
-    return mien::readXMLDataFile(name, reader);
+std::string readXML(const std::string& name, vtkXMLPolyDataReader* reader) {
+  if (!name.empty()) return mien::readXMLDataFile(name, reader);
   reader->ReadFromInputStringOn();
   reader->SetInputString(mien::GenericFaceFile());
   reader->Update();
@@ -32,29 +28,24 @@ std::string readXML(const std::string& name, vtkXMLPolyDataReader* reader)
 }
 
 /// @return nothing, or one sentence that names the file
-std::string readFace(const std::string& name, vtkPolyData* output)
-{
+std::string readFace(const std::string& name, vtkPolyData* output) {
   vtkNew<vtkXMLPolyDataReader> reader;
   std::string fault = readXML(name, reader);
-  if (!fault.empty())
-    return fault;
+  if (!fault.empty()) return fault;
   mien::FaceCurves face;
   fault = mien::readFaceCurves(reader->GetOutput(), face);
-  if (!fault.empty())
-    return (name.empty() ? "the generic face" : name) + ": " + fault;
+  if (!fault.empty()) return (name.empty() ? "the generic face" : name) + ": " + fault;
   mien::writeFaceCurves(face, output);
   return {};
 }
 
-void addStatement(const mien::CompactFace& compact, vtkFieldData* fields)
-{
+void addStatement(const mien::CompactFace& compact, vtkFieldData* fields) {
   vtkNew<vtkDoubleArray> error;
   error->SetName("StoredError");
   error->SetNumberOfComponents(2);
   error->InsertNextTuple2(compact.rmsError, compact.maximumError);
   fields->AddArray(error);
-  if (compact.name.empty())
-    return;
+  if (compact.name.empty()) return;
   vtkNew<vtkStringArray> name;
   name->SetName("FaceName");
   name->InsertNextValue(compact.name);
@@ -62,44 +53,37 @@ void addStatement(const mien::CompactFace& compact, vtkFieldData* fields)
 }
 
 /// @return nothing, or one sentence that names the file
-std::string readCompact(const std::string& name, vtkPolyData* output)
-{
+std::string readCompact(const std::string& name, vtkPolyData* output) {
   mien::CompactFace compact;
   const std::string fault = mien::readCompactFaceFile(name, compact);
-  if (!fault.empty())
-    return fault;
+  if (!fault.empty()) return fault;
   mien::writeFaceCurves(compact.face, output);
   addStatement(compact, output->GetFieldData());
   return {};
 }
 
-} // namespace
+}  // namespace
 
-vtkBoundaryCurveReader::vtkBoundaryCurveReader()
-{
+vtkBoundaryCurveReader::vtkBoundaryCurveReader() {
   this->SetNumberOfInputPorts(0);
 }
 
-vtkBoundaryCurveReader::~vtkBoundaryCurveReader()
-{
+vtkBoundaryCurveReader::~vtkBoundaryCurveReader() {
   this->SetFileName(nullptr);
 }
 
-int vtkBoundaryCurveReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
-{
+int vtkBoundaryCurveReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
   const std::string name = this->FileName ? this->FileName : "";
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   const std::string fault = mien::isCompactFaceFile(name) ? readCompact(name, output) : readFace(name, output);
-  if (!fault.empty())
-  {
+  if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
   return 1;
 }
 
-void vtkBoundaryCurveReader::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkBoundaryCurveReader::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(the generic face)") << "\n";
 }

@@ -2,10 +2,10 @@
  * @class vtkBoundaryCurveReader
  * @brief reads and checks the boundary curves of a face; without a file, gives the generic face
  *
- * Output: vtkPolyData with 29 closed polylines as described in BoundaryCurveData.h (lengths in mm). From a compact face file also the
- * field arrays `StoredError` (1 x 2: RMS and largest distance to the curves that were stored, mm) and, where it has one, `FaceName`.
- * Errors: a file that cannot be read, is damaged or cut off; curves missing, with too few points, not finite or crossed. The
- * message names the file and the curve, and there is no output.
+ * Output: vtkPolyData with 29 closed polylines as described in BoundaryCurveData.h (lengths in mm). From a compact face
+ * file also the field arrays `StoredError` (1 x 2: RMS and largest distance to the curves that were stored, mm) and,
+ * where it has one, `FaceName`. Errors: a file that cannot be read, is damaged or cut off; curves missing, with too few
+ * points, not finite or crossed. The message names the file and the curve, and there is no output.
  * @sa vtkCompactFaceWriter
  */
 #ifndef vtkBoundaryCurveReader_h
@@ -14,9 +14,8 @@
 #include "MienSurfaceModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-class MIENSURFACE_EXPORT vtkBoundaryCurveReader : public vtkPolyDataAlgorithm
-{
-public:
+class MIENSURFACE_EXPORT vtkBoundaryCurveReader : public vtkPolyDataAlgorithm {
+ public:
   static vtkBoundaryCurveReader* New();
   vtkTypeMacro(vtkBoundaryCurveReader, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -27,12 +26,12 @@ public:
   vtkGetFilePathMacro(FileName);
   ///@}
 
-protected:
+ protected:
   vtkBoundaryCurveReader();
   ~vtkBoundaryCurveReader() override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-private:
+ private:
   vtkBoundaryCurveReader(const vtkBoundaryCurveReader&) = delete;
   void operator=(const vtkBoundaryCurveReader&) = delete;
 

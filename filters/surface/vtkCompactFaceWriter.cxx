@@ -1,50 +1,42 @@
 #include "vtkCompactFaceWriter.h"
 
+#include <vtksys/FStream.hxx>
+
 #include "BoundaryCurveData.h"
 #include "CompactFace.h"
-
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <vtksys/FStream.hxx>
-
 vtkStandardNewMacro(vtkCompactFaceWriter);
 
-vtkCompactFaceWriter::~vtkCompactFaceWriter()
-{
+vtkCompactFaceWriter::~vtkCompactFaceWriter() {
   this->SetFileName(nullptr);
 }
 
-int vtkCompactFaceWriter::FillInputPortInformation(int, vtkInformation* info)
-{
+int vtkCompactFaceWriter::FillInputPortInformation(int, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   return 1;
 }
 
-std::string vtkCompactFaceWriter::Encode(std::string& bytes)
-{
+std::string vtkCompactFaceWriter::Encode(std::string& bytes) {
   auto* data = vtkPolyData::SafeDownCast(this->GetInput());
   mien::FaceCurves face;
   mien::HeadRotation turned;
   std::string fault = mien::readFaceCurves(data, face);
-  if (fault.empty())
-    fault = mien::readHeadRotation(data->GetFieldData(), turned);
-  if (!fault.empty())
-    return fault;
+  if (fault.empty()) fault = mien::readHeadRotation(data->GetFieldData(), turned);
+  if (!fault.empty()) return fault;
   if (turned.turns())
     vtkWarningMacro("the head is turned; a compact face file holds it in its own frame, looking forward");
   turned.undo(face.curves.points);
   return mien::encodeCompactFace(face, this->FaceName, this->Tolerance, bytes);
 }
 
-void vtkCompactFaceWriter::WriteData()
-{
+void vtkCompactFaceWriter::WriteData() {
   const std::string name = this->FileName ? this->FileName : "";
   std::string bytes;
   const std::string fault = this->Encode(bytes);
-  if (!fault.empty())
-  {
+  if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return;
   }
@@ -54,8 +46,7 @@ void vtkCompactFaceWriter::WriteData()
     vtkErrorMacro(<< name << ": it cannot be written; give a file in a folder that exists and may be written to");
 }
 
-void vtkCompactFaceWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkCompactFaceWriter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";

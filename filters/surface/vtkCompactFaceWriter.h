@@ -2,26 +2,26 @@
  * @class vtkCompactFaceWriter
  * @brief writes the boundary curves of a face as a compact face file (.mienz) of about a kilobyte
  *
- * Input: vtkPolyData, boundary curves as described in BoundaryCurveData.h (29 curves of K points, mm); feature points and pupils
- * are kept. vtkBoundaryCurveReader reads the file.
+ * Input: vtkPolyData, boundary curves as described in BoundaryCurveData.h (29 curves of K points, mm); feature points
+ * and pupils are kept. vtkBoundaryCurveReader reads the file.
  *
- * Fourier modes of the curves, cosine-transformed along the face, quantised with the largest step that meets the tolerance and packed
- * with LZMA [Sheng et al. 2011, 7]; the file states its RMS and largest error. The generic face takes about 1,000 bytes at 0.1 mm.
- * Limitations: a head that animation turned (`HeadRotation`) is written in its own frame, with a warning. Other arrays are not kept.
- * Errors: an input that is no face, more than 4096 points per curve, a file that cannot be written.
+ * Fourier modes of the curves, cosine-transformed along the face, quantised with the largest step that meets the
+ * tolerance and packed with LZMA [Sheng et al. 2011, 7]; the file states its RMS and largest error. The generic face
+ * takes about 1,000 bytes at 0.1 mm. Limitations: a head that animation turned (`HeadRotation`) is written in its own
+ * frame, with a warning. Other arrays are not kept. Errors: an input that is no face, more than 4096 points per curve,
+ * a file that cannot be written.
  * @sa vtkBoundaryCurveReader
  */
 #ifndef vtkCompactFaceWriter_h
 #define vtkCompactFaceWriter_h
 
+#include <string>
+
 #include "MienSurfaceModule.h"
 #include "vtkWriter.h"
 
-#include <string>
-
-class MIENSURFACE_EXPORT vtkCompactFaceWriter : public vtkWriter
-{
-public:
+class MIENSURFACE_EXPORT vtkCompactFaceWriter : public vtkWriter {
+ public:
   static vtkCompactFaceWriter* New();
   vtkTypeMacro(vtkCompactFaceWriter, vtkWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -44,13 +44,13 @@ public:
   vtkGetMacro(FaceName, std::string);
   ///@}
 
-protected:
+ protected:
   vtkCompactFaceWriter() = default;
   ~vtkCompactFaceWriter() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   void WriteData() override;
 
-private:
+ private:
   vtkCompactFaceWriter(const vtkCompactFaceWriter&) = delete;
   void operator=(const vtkCompactFaceWriter&) = delete;
 

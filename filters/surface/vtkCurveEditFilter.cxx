@@ -3,7 +3,6 @@
 #include "BoundaryCurveData.h"
 #include "CurveEdit.h"
 #include "FaceLayout.h"
-
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -11,33 +10,26 @@
 
 vtkStandardNewMacro(vtkCurveEditFilter);
 
-vtkCurveEditFilter::vtkCurveEditFilter()
-  : Edits(new std::vector<mien::CurveEdit>)
-{
-}
+vtkCurveEditFilter::vtkCurveEditFilter() : Edits(new std::vector<mien::CurveEdit>) {}
 
 vtkCurveEditFilter::~vtkCurveEditFilter() = default;
 
-void vtkCurveEditFilter::SetEdits(const std::vector<mien::CurveEdit>& edits)
-{
-  if (edits == *this->Edits)
-    return;
+void vtkCurveEditFilter::SetEdits(const std::vector<mien::CurveEdit>& edits) {
+  if (edits == *this->Edits) return;
   *this->Edits = edits;
   this->Modified();
 }
 
-const std::vector<mien::CurveEdit>& vtkCurveEditFilter::GetEdits() const
-{
+const std::vector<mien::CurveEdit>& vtkCurveEditFilter::GetEdits() const {
   return *this->Edits;
 }
 
-void vtkCurveEditFilter::AddEdit(
-  const std::string& curve, double v, double dx, double dy, double dz, double widthDegrees, int spread, bool mirrored)
-{
+void vtkCurveEditFilter::AddEdit(const std::string& curve, double v, double dx, double dy, double dz,
+                                 double widthDegrees, int spread, bool mirrored) {
   mien::CurveEdit edit;
   edit.curve = mien::FaceLayout::curveIndex(curve);
   edit.v = v;
-  edit.move = { dx, dy, dz };
+  edit.move = {dx, dy, dz};
   edit.width = widthDegrees * M_PI / 180.0;
   edit.spread = spread;
   edit.mirrored = mirrored;
@@ -45,26 +37,21 @@ void vtkCurveEditFilter::AddEdit(
   this->Modified();
 }
 
-void vtkCurveEditFilter::RemoveAllEdits()
-{
+void vtkCurveEditFilter::RemoveAllEdits() {
   this->SetEdits({});
 }
 
-int vtkCurveEditFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
+int vtkCurveEditFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  if (this->Edits->empty())
-  {
+  if (this->Edits->empty()) {
     output->ShallowCopy(input);
     return 1;
   }
   mien::FaceCurves face;
   std::string fault = mien::readFaceCurves(input, face);
-  if (fault.empty())
-    fault = mien::applyEdits(*this->Edits, face);
-  if (!fault.empty())
-  {
+  if (fault.empty()) fault = mien::applyEdits(*this->Edits, face);
+  if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
@@ -72,8 +59,7 @@ int vtkCurveEditFilter::RequestData(vtkInformation*, vtkInformationVector** inpu
   return 1;
 }
 
-void vtkCurveEditFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkCurveEditFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Edits: " << this->Edits->size() << "\n";
 }

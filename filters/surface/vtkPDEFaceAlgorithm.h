@@ -9,22 +9,20 @@
 #ifndef vtkPDEFaceAlgorithm_h
 #define vtkPDEFaceAlgorithm_h
 
-#include "MienSurfaceModule.h"
-#include "vtkAlgorithm.h"
-
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace mien
-{
+#include "MienSurfaceModule.h"
+#include "vtkAlgorithm.h"
+
+namespace mien {
 struct FaceCurves;
 struct FaceSurfaceOptions;
-}
+}  // namespace mien
 
-class MIENSURFACE_EXPORT vtkPDEFaceAlgorithm : public vtkAlgorithm
-{
-public:
+class MIENSURFACE_EXPORT vtkPDEFaceAlgorithm : public vtkAlgorithm {
+ public:
   vtkTypeMacro(vtkPDEFaceAlgorithm, vtkAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
@@ -70,7 +68,7 @@ public:
   double GetDerivativeStrength() const;
   ///@}
 
-protected:
+ protected:
   vtkPDEFaceAlgorithm();
   ~vtkPDEFaceAlgorithm() override;
 
@@ -88,7 +86,7 @@ protected:
   /// The curves on input port 0; false, after an error, when they or the parameters are unusable.
   bool ReadInput(vtkInformationVector** inputs, mien::FaceCurves& face);
 
-private:
+ private:
   vtkPDEFaceAlgorithm(const vtkPDEFaceAlgorithm&) = delete;
   void operator=(const vtkPDEFaceAlgorithm&) = delete;
 

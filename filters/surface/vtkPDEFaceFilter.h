@@ -6,8 +6,9 @@
  * Output: vtkStructuredGrid of (NumberOfColumns + 1) x NumberOfRows points, v fastest, the last column
  * repeating the first. Point arrays `Normals` (unit, outwards, from analytic derivatives),
  * `TextureCoordinates` (v / 2 pi, 1 - u over the whole face), optionally `Su`, `Sv` (mm) and the curvatures; cell array
- * `PatchId` (0 .. 8); field arrays `Pupils` and `HeadRotation` of the curves where they have them. Cells between C22 and C22' are blanked between the mouth corners only.
- * VTK winds these cells inwards. Give the grid to mappers, writers and locators through vtkGeometryFilter.
+ * `PatchId` (0 .. 8); field arrays `Pupils` and `HeadRotation` of the curves where they have them. Cells between C22
+ * and C22' are blanked between the mouth corners only. VTK winds these cells inwards. Give the grid to mappers, writers
+ * and locators through vtkGeometryFilter.
  *
  * Equation: (d2/du2 + a^2 d2/dv2)^m S = 0 per patch, Fourier modes 0 .. N and one remainder
  * [Sheng et al. 2011, eq. 1-11]. Honours update extents and pieces; runs through vtkSMPTools.
@@ -21,9 +22,8 @@
 
 class vtkStructuredGrid;
 
-class MIENSURFACE_EXPORT vtkPDEFaceFilter : public vtkPDEFaceAlgorithm
-{
-public:
+class MIENSURFACE_EXPORT vtkPDEFaceFilter : public vtkPDEFaceAlgorithm {
+ public:
   static vtkPDEFaceFilter* New();
   vtkTypeMacro(vtkPDEFaceFilter, vtkPDEFaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -55,9 +55,9 @@ public:
   ///@}
 
   ///@{
-  /** Whether `MeanCurvature`, `MaximumCurvature`, `MinimumCurvature` (the principal ones, 1/mm) and `GaussianCurvature` (1/mm^2)
-   *  are added, from analytic second derivatives. A sphere of radius R seen from outside has the mean curvature +1 / R. NaN where
-   *  the surface has no tangent plane; a seam's row belongs to the patch above. Default off. */
+  /** Whether `MeanCurvature`, `MaximumCurvature`, `MinimumCurvature` (the principal ones, 1/mm) and `GaussianCurvature`
+   * (1/mm^2) are added, from analytic second derivatives. A sphere of radius R seen from outside has the mean curvature
+   * +1 / R. NaN where the surface has no tangent plane; a seam's row belongs to the patch above. Default off. */
   vtkSetMacro(GenerateCurvatures, bool);
   vtkGetMacro(GenerateCurvatures, bool);
   vtkBooleanMacro(GenerateCurvatures, bool);
@@ -69,7 +69,7 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
-protected:
+ protected:
   vtkPDEFaceFilter();
   ~vtkPDEFaceFilter() override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
@@ -79,11 +79,12 @@ protected:
   /// False, after an error, when the resolution is too coarse or too fine.
   bool CheckResolution();
 
-  /// Writes the surface that `options` make of the curves into the part of the grid that is wanted on port 0; leaves it empty
-  /// when aborted. False, after an error, when the conditions determine no surface.
-  bool MakeSurface(const mien::FaceCurves& face, const mien::FaceSurfaceOptions& options, vtkInformationVector* outputs);
+  /// Writes the surface that `options` make of the curves into the part of the grid that is wanted on port 0; leaves it
+  /// empty when aborted. False, after an error, when the conditions determine no surface.
+  bool MakeSurface(const mien::FaceCurves& face, const mien::FaceSurfaceOptions& options,
+                   vtkInformationVector* outputs);
 
-private:
+ private:
   vtkPDEFaceFilter(const vtkPDEFaceFilter&) = delete;
   void operator=(const vtkPDEFaceFilter&) = delete;
 

@@ -3,14 +3,14 @@
  * @brief how far a PDE face moves when one of its curves, or one point of a curve, moves by one unit
  *
  * Input: vtkPolyData, the boundary curves of BoundaryCurveData.h (29 curves of K points, mm).
- * Outputs: port 0 the face as vtkPDEFaceFilter gives it (vtkStructuredGrid, double precision) with the point array `Influence`, three
- * components, the move of the surface per unit of the curve's move in Direction (mm per mm); port 1 a vtkTable of how it fades
- * down the face, one line per row of the grid, columns `row`, `curve` (position counted in curves: 1 at C1, 22 at the lips, 28 at C28),
- * `influence_max` (largest length in the row, mm per mm).
+ * Outputs: port 0 the face as vtkPDEFaceFilter gives it (vtkStructuredGrid, double precision) with the point array
+ * `Influence`, three components, the move of the surface per unit of the curve's move in Direction (mm per mm); port 1
+ * a vtkTable of how it fades down the face, one line per row of the grid, columns `row`, `curve` (position counted in
+ * curves: 1 at C1, 22 at the lips, 28 at C28), `influence_max` (largest length in the row, mm per mm).
  *
- * Equation: S = U B is linear in the curves [Sheng et al. 2011, eq. 1-11], so that the influence is the surface of the moves alone;
- * how the surface forgets them is their section 3.1.
- * Errors: curves that are no face, surface parameters out of range, a curve or point that does not exist, no direction.
+ * Equation: S = U B is linear in the curves [Sheng et al. 2011, eq. 1-11], so that the influence is the surface of the
+ * moves alone; how the surface forgets them is their section 3.1. Errors: curves that are no face, surface parameters
+ * out of range, a curve or point that does not exist, no direction.
  */
 #ifndef vtkPDEInfluenceFilter_h
 #define vtkPDEInfluenceFilter_h
@@ -20,15 +20,13 @@
 
 class vtkTable;
 
-namespace mien
-{
+namespace mien {
 class RowLayout;
 struct InfluenceGrid;
-}
+}  // namespace mien
 
-class MIENSURFACE_EXPORT vtkPDEInfluenceFilter : public vtkPDEFaceFilter
-{
-public:
+class MIENSURFACE_EXPORT vtkPDEInfluenceFilter : public vtkPDEFaceFilter {
+ public:
   static vtkPDEInfluenceFilter* New();
   vtkTypeMacro(vtkPDEInfluenceFilter, vtkPDEFaceFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -54,21 +52,22 @@ public:
   ///@}
 
   ///@{
-  /** How far from the curve the influence of the last update has fallen to half of what it is there, towards C1 (Above) and towards
-   *  C28 (Below), counted in curves or rows of the grid; NaN where it does not fall so far, and before an update. */
+  /** How far from the curve the influence of the last update has fallen to half of what it is there, towards C1 (Above)
+   * and towards C28 (Below), counted in curves or rows of the grid; NaN where it does not fall so far, and before an
+   * update. */
   double GetHalfWidthAbove() const;
   double GetHalfWidthBelow() const;
   double GetHalfWidthAboveInRows() const;
   double GetHalfWidthBelowInRows() const;
   ///@}
 
-protected:
+ protected:
   vtkPDEInfluenceFilter();
   ~vtkPDEInfluenceFilter() override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-private:
+ private:
   vtkPDEInfluenceFilter(const vtkPDEInfluenceFilter&) = delete;
   void operator=(const vtkPDEInfluenceFilter&) = delete;
 
@@ -79,7 +78,7 @@ private:
   std::unique_ptr<Internals> Impl;
   std::string Curve = "C10";
   int Point = -1;
-  double Direction[3] = { 0.0, 0.0, 1.0 };
+  double Direction[3] = {0.0, 0.0, 1.0};
 };
 
 #endif

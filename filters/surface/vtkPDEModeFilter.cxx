@@ -1,8 +1,9 @@
 #include "vtkPDEModeFilter.h"
 
+#include <cmath>
+
 #include "FaceCurves.h"
 #include "ModeSpectrum.h"
-
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
@@ -16,47 +17,40 @@
 #include "vtkStructuredGrid.h"
 #include "vtkTable.h"
 
-#include <cmath>
-
 vtkStandardNewMacro(vtkPDEModeFilter);
 
-namespace
-{
+namespace {
 
 using mien::ModeMeasures;
 
-struct Column
-{
+struct Column {
   const char* name;
   double ModeMeasures::*value;
 };
-constexpr Column columns[] = { { "rms_mm", &ModeMeasures::rms }, { "max_mm", &ModeMeasures::max },
-  { "energy_share", &ModeMeasures::energyShare }, { "cumulative_rms_error_mm", &ModeMeasures::cumulativeError } };
+constexpr Column columns[] = {{"rms_mm", &ModeMeasures::rms},
+                              {"max_mm", &ModeMeasures::max},
+                              {"energy_share", &ModeMeasures::energyShare},
+                              {"cumulative_rms_error_mm", &ModeMeasures::cumulativeError}};
 
-void fillTable(const std::vector<ModeMeasures>& modes, vtkTable* table)
-{
+void fillTable(const std::vector<ModeMeasures>& modes, vtkTable* table) {
   vtkNew<vtkStringArray> names;
   names->SetName("mode");
-  for (const ModeMeasures& mode : modes)
-    names->InsertNextValue(mode.mode);
+  for (const ModeMeasures& mode : modes) names->InsertNextValue(mode.mode);
   table->AddColumn(names);
-  for (const Column& column : columns)
-  {
+  for (const Column& column : columns) {
     vtkNew<vtkDoubleArray> values;
     values->SetName(column.name);
-    for (const ModeMeasures& mode : modes)
-      values->InsertNextValue(mode.*column.value);
+    for (const ModeMeasures& mode : modes) values->InsertNextValue(mode.*column.value);
     table->AddColumn(values);
   }
 }
 
 /// The part of a contribution that the grid's extent covers, in the precision of its points.
-void addContribution(const mien::RowMajor<double>& whole, vtkStructuredGrid* grid)
-{
+void addContribution(const mien::RowMajor<double>& whole, vtkStructuredGrid* grid) {
   int extent[6];
   grid->GetExtent(extent);
-  const auto array = vtkSmartPointer<vtkDataArray>::Take(
-    vtkDataArray::CreateDataArray(grid->GetPoints()->GetDataType()));
+  const auto array =
+      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(grid->GetPoints()->GetDataType()));
   array->SetName("Contribution");
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(grid->GetNumberOfPoints());
@@ -68,31 +62,28 @@ void addContribution(const mien::RowMajor<double>& whole, vtkStructuredGrid* gri
 }
 
 /// The closing column is computed at v = 0, so that it repeats the first to the bit.
-Eigen::VectorXd closedColumns(int count)
-{
+Eigen::VectorXd closedColumns(int count) {
   Eigen::VectorXd v(count + 1);
-  for (int i = 0; i <= count; ++i)
-    v[i] = 2.0 * M_PI * (i % count) / count;
+  for (int i = 0; i <= count; ++i) v[i] = 2.0 * M_PI * (i % count) / count;
   return v;
 }
 
-} // namespace
+}  // namespace
 
 /// The operators of the last update and what they were made for.
-struct vtkPDEModeFilter::Internals
-{
+struct vtkPDEModeFilter::Internals {
   std::unique_ptr<mien::ModeSpectrum> spectrum;
   mien::FaceSurfaceOptions options;
   int rows = 0, columns = 0, pointsPerCurve = 0;
   bool uniform = false;
 
-  void prepare(const mien::FaceSurfaceOptions& wanted, int wantedRows, int wantedColumns, bool wantedUniform, int points)
-  {
+  void prepare(const mien::FaceSurfaceOptions& wanted, int wantedRows, int wantedColumns, bool wantedUniform,
+               int points) {
     if (spectrum && options == wanted && rows == wantedRows && columns == wantedColumns && uniform == wantedUniform &&
-      pointsPerCurve == points)
+        pointsPerCurve == points)
       return;
-    spectrum = std::make_unique<mien::ModeSpectrum>(
-      wanted, mien::RowLayout(wantedRows, wantedUniform), points, closedColumns(wantedColumns));
+    spectrum = std::make_unique<mien::ModeSpectrum>(wanted, mien::RowLayout(wantedRows, wantedUniform), points,
+                                                    closedColumns(wantedColumns));
     options = wanted;
     rows = wantedRows;
     columns = wantedColumns;
@@ -101,29 +92,23 @@ struct vtkPDEModeFilter::Internals
   }
 };
 
-vtkPDEModeFilter::vtkPDEModeFilter()
-  : Impl(new Internals)
-{
+vtkPDEModeFilter::vtkPDEModeFilter() : Impl(new Internals) {
   this->SetNumberOfOutputPorts(2);
 }
 
 vtkPDEModeFilter::~vtkPDEModeFilter() = default;
 
-vtkTable* vtkPDEModeFilter::GetSpectrum()
-{
+vtkTable* vtkPDEModeFilter::GetSpectrum() {
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-int vtkPDEModeFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 0)
-    return this->Superclass::FillOutputPortInformation(port, info);
+int vtkPDEModeFilter::FillOutputPortInformation(int port, vtkInformation* info) {
+  if (port == 0) return this->Superclass::FillOutputPortInformation(port, info);
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
   return 1;
 }
 
-bool vtkPDEModeFilter::CheckMode()
-{
+bool vtkPDEModeFilter::CheckMode() {
   const mien::FaceSurfaceOptions& options = this->GetOptions();
   if (this->Mode == -1 && !options.remainder)
     vtkErrorMacro(<< "mode -1 is the remainder, and the surface has none; switch the remainder on or choose a mode");
@@ -134,17 +119,14 @@ bool vtkPDEModeFilter::CheckMode()
   return false;
 }
 
-int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
+int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
   mien::FaceCurves face;
-  if (!this->CheckMode() || !this->ReadInput(inputs, face))
-    return 0;
+  if (!this->CheckMode() || !this->ReadInput(inputs, face)) return 0;
   const mien::FaceSurfaceOptions& options = this->GetOptions();
-  this->Impl->prepare(
-    options, this->GetNumberOfRows(), this->GetNumberOfColumns(), this->GetUniformRows(), face.curves.pointsPerCurve);
+  this->Impl->prepare(options, this->GetNumberOfRows(), this->GetNumberOfColumns(), this->GetUniformRows(),
+                      face.curves.pointsPerCurve);
   mien::ModeSpectrum& spectrum = *this->Impl->spectrum;
-  if (!spectrum.fault().empty())
-  {
+  if (!spectrum.fault().empty()) {
     vtkErrorMacro(<< spectrum.fault());
     return 0;
   }
@@ -155,17 +137,14 @@ int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
     return !this->GetAbortExecute();
   });
   mien::FaceSurfaceOptions shown = options;
-  if (this->PartialSum && this->Mode >= 0)
-  {
-    shown.modes = this->Mode; // the sum of the first modes is the surface that has no others
+  if (this->PartialSum && this->Mode >= 0) {
+    shown.modes = this->Mode;  // the sum of the first modes is the surface that has no others
     shown.remainder = false;
   }
-  if (!measures.empty() && !this->MakeSurface(face, shown, outputs))
-    return 0;
+  if (!measures.empty() && !this->MakeSurface(face, shown, outputs)) return 0;
   vtkStructuredGrid* output = vtkStructuredGrid::GetData(outputs);
-  if (this->GetAbortExecute())
-  {
-    output->Initialize(); // an abort that came after the last row leaves no half output either
+  if (this->GetAbortExecute()) {
+    output->Initialize();  // an abort that came after the last row leaves no half output either
     return 1;
   }
   if (output->GetNumberOfPoints() > 0)
@@ -174,10 +153,8 @@ int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   return 1;
 }
 
-int vtkPDEModeFilter::FindNumberOfModes(double tolerance)
-{
-  if (!(tolerance >= 0.0))
-  {
+int vtkPDEModeFilter::FindNumberOfModes(double tolerance) {
+  if (!(tolerance >= 0.0)) {
     vtkErrorMacro(<< "a tolerance of " << tolerance << " mm is not a length; give 0 or more");
     return -1;
   }
@@ -185,21 +162,18 @@ int vtkPDEModeFilter::FindNumberOfModes(double tolerance)
   if (vtkAlgorithm* source = this->GetNumberOfInputConnections(0) > 0 ? this->GetInputAlgorithm(0, 0, port) : nullptr)
     source->Update(port);
   mien::FaceCurves face;
-  if (!this->CheckResolution() || !this->ReadInput(this->GetExecutive()->GetInputInformation(), face))
-    return -1;
+  if (!this->CheckResolution() || !this->ReadInput(this->GetExecutive()->GetInputInformation(), face)) return -1;
   mien::FaceSurfaceOptions options = this->GetOptions();
   options.modes = face.curves.pointsPerCurve / 2;
   const std::string fault = mien::describeFault(options, face.curves.pointsPerCurve);
-  if (!fault.empty())
-  {
+  if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return -1;
   }
   // errors are exact in v without sampling it
   mien::ModeSpectrum spectrum(options, mien::RowLayout(this->GetNumberOfRows(), this->GetUniformRows()),
-    face.curves.pointsPerCurve, Eigen::VectorXd::Zero(1));
-  if (!spectrum.fault().empty())
-  {
+                              face.curves.pointsPerCurve, Eigen::VectorXd::Zero(1));
+  if (!spectrum.fault().empty()) {
     vtkErrorMacro(<< spectrum.fault());
     return -1;
   }
@@ -207,8 +181,7 @@ int vtkPDEModeFilter::FindNumberOfModes(double tolerance)
   return mien::smallestModeCount(spectrum.measures(), tolerance);
 }
 
-void vtkPDEModeFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkPDEModeFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "PartialSum: " << this->PartialSum << "\n";

@@ -2,12 +2,13 @@
  * @class vtkPDEParameterSweep
  * @brief measures of a PDE face over many values of the smoothing parameter a, as a table
  *
- * Inputs: port 0 vtkPolyData, the boundary curves of BoundaryCurveData.h (29 curves of K points, mm); port 1, optional, a
- * reference mesh (vtkPolyData or vtkStructuredGrid, mm).
- * Output: vtkTable, one row per scheme and a, scheme after scheme, columns (double but for the texts)
+ * Inputs: port 0 vtkPolyData, the boundary curves of BoundaryCurveData.h (29 curves of K points, mm); port 1, optional,
+ * a reference mesh (vtkPolyData or vtkStructuredGrid, mm). Output: vtkTable, one row per scheme and a, scheme after
+ * scheme, columns (double but for the texts)
  * - `scheme` (text), `a` (no unit);
  * - `area_mm2`: the integral of |S_u x S_v|;
- * - `rms_departure_mm`, `max_departure_mm`: from the surface of the same scheme at ReferenceSmoothing, at the same (u, v);
+ * - `rms_departure_mm`, `max_departure_mm`: from the surface of the same scheme at ReferenceSmoothing, at the same (u,
+ * v);
  * - `curve_miss_rms_mm`: between the curves' samples and the surface at the same (u, v);
  * - `lebesgue`: how much the surface can exceed its curves (FaceLebesgue.h);
  * - `g1_max_deg`: the largest angle between normals across a seam, at the grid's columns;
@@ -19,7 +20,8 @@
  *
  * The measures are those of filters/core; Scheme and Smoothing of the base class only matter where no lists are given.
  * Abort and progress are honoured after every surface; an aborted sweep leaves an empty table.
- * Errors: curves that are no face, a scheme that does not exist, values outside 0 < a <= 1000, a reference without polygons.
+ * Errors: curves that are no face, a scheme that does not exist, values outside 0 < a <= 1000, a reference without
+ * polygons.
  */
 #ifndef vtkPDEParameterSweep_h
 #define vtkPDEParameterSweep_h
@@ -29,14 +31,12 @@
 
 class vtkTable;
 
-namespace mien
-{
+namespace mien {
 struct SmoothingSweepOptions;
 }
 
-class MIENSURFACE_EXPORT vtkPDEParameterSweep : public vtkPDEFaceAlgorithm
-{
-public:
+class MIENSURFACE_EXPORT vtkPDEParameterSweep : public vtkPDEFaceAlgorithm {
+ public:
   static vtkPDEParameterSweep* New();
   vtkTypeMacro(vtkPDEParameterSweep, vtkPDEFaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -58,8 +58,8 @@ public:
   ///@}
 
   ///@{
-  /** The values of a, no unit, each 0 < a <= 1000; as numbers or as text such as "0.1:100:50log", "0.1:1:10" or "1,2,5". Text that
-   *  cannot be read is an error and changes nothing. Default: 0.1:10:21log. */
+  /** The values of a, no unit, each 0 < a <= 1000; as numbers or as text such as "0.1:100:50log", "0.1:1:10" or
+   * "1,2,5". Text that cannot be read is an error and changes nothing. Default: 0.1:10:21log. */
   void SetSmoothingValues(const std::vector<double>& values);
   void SetSmoothingRange(const std::string& text);
   std::vector<double> GetSmoothingValues() const { return this->SmoothingValues; }
@@ -72,7 +72,8 @@ public:
   ///@}
 
   ///@{
-  /** Rows and columns of the grid on which is measured, as in vtkPDEFaceFilter. Default 112 x 80; 11 x 3 .. 4096 x 4096. */
+  /** Rows and columns of the grid on which is measured, as in vtkPDEFaceFilter. Default 112 x 80; 11 x 3 .. 4096 x
+   * 4096. */
   void SetResolution(int rows, int columns);
   vtkGetMacro(NumberOfRows, int);
   vtkGetMacro(NumberOfColumns, int);
@@ -89,7 +90,7 @@ public:
   /** What happens there, one sentence; empty if it held. */
   std::string GetBreakdownReason(const std::string& scheme) const;
 
-protected:
+ protected:
   vtkPDEParameterSweep();
   ~vtkPDEParameterSweep() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -97,7 +98,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-private:
+ private:
   vtkPDEParameterSweep(const vtkPDEParameterSweep&) = delete;
   void operator=(const vtkPDEParameterSweep&) = delete;
 

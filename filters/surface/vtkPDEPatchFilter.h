@@ -2,13 +2,12 @@
  * @class vtkPDEPatchFilter
  * @brief one PDE patch between any closed curves, as a structured grid
  *
- * Input: vtkPolyData, 2m closed polylines (2m even, 2 .. 16) of K points each, K even and at least 8, in the unit of your choice.
- * Each gives one condition: the surface, or its u-derivative of some order, equals the curve at some u.
- * Conditions come from AddCondition(), else from the cell arrays `U` (0 .. 1) and `Derivative` (whole numbers 0 .. 2m - 1),
- * else the curves are passed in their order at equal steps of u.
- * Output: vtkStructuredGrid of (NumberOfColumns + 1) x NumberOfRows points, v fastest, the last column
- * repeating the first. Point arrays `Normals`, `TextureCoordinates` (v / 2 pi, 1 - u), optionally `Su`, `Sv`; cell
- * array `PatchId` = 0.
+ * Input: vtkPolyData, 2m closed polylines (2m even, 2 .. 16) of K points each, K even and at least 8, in the unit of
+ * your choice. Each gives one condition: the surface, or its u-derivative of some order, equals the curve at some u.
+ * Conditions come from AddCondition(), else from the cell arrays `U` (0 .. 1) and `Derivative` (whole numbers 0 .. 2m -
+ * 1), else the curves are passed in their order at equal steps of u. Output: vtkStructuredGrid of (NumberOfColumns + 1)
+ * x NumberOfRows points, v fastest, the last column repeating the first. Point arrays `Normals`, `TextureCoordinates`
+ * (v / 2 pi, 1 - u), optionally `Su`, `Sv`; cell array `PatchId` = 0.
  *
  * Equation: (d2/du2 + a^2 d2/dv2)^m S = 0 [Sheng et al. 2011, eq. 1-11, for any order 2m].
  * Errors: curves that are not closed or differ in length, conditions that do not determine a surface.
@@ -16,14 +15,13 @@
 #ifndef vtkPDEPatchFilter_h
 #define vtkPDEPatchFilter_h
 
+#include <memory>
+
 #include "MienSurfaceModule.h"
 #include "vtkStructuredGridAlgorithm.h"
 
-#include <memory>
-
-class MIENSURFACE_EXPORT vtkPDEPatchFilter : public vtkStructuredGridAlgorithm
-{
-public:
+class MIENSURFACE_EXPORT vtkPDEPatchFilter : public vtkStructuredGridAlgorithm {
+ public:
   static vtkPDEPatchFilter* New();
   vtkTypeMacro(vtkPDEPatchFilter, vtkStructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -75,7 +73,7 @@ public:
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
-protected:
+ protected:
   vtkPDEPatchFilter();
   ~vtkPDEPatchFilter() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -83,7 +81,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-private:
+ private:
   vtkPDEPatchFilter(const vtkPDEPatchFilter&) = delete;
   void operator=(const vtkPDEPatchFilter&) = delete;
 

@@ -1,8 +1,12 @@
 #include "vtkSurfaceDistanceFilter.h"
 
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
 #include "SurfaceDistance.h"
 #include "SurfaceMesh.h"
-
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -16,15 +20,9 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <string>
-
 vtkStandardNewMacro(vtkSurfaceDistanceFilter);
 
-namespace
-{
+namespace {
 
 /// Points between two looks at the abort flag; at most about 0.1 s of work on one core.
 constexpr vtkIdType pointsPerSlab = 1 << 14;
@@ -32,31 +30,27 @@ constexpr vtkIdType pointsPerTask = 256;
 constexpr int portOfTable = 2;
 constexpr double everywhere = std::numeric_limits<double>::lowest();
 
-const char* const portNames[] = { "surface", "reference mesh" };
-const char* const directionNames[] = { "to reference", "from reference" };
+const char* const portNames[] = {"surface", "reference mesh"};
+const char* const directionNames[] = {"to reference", "from reference"};
 
 /// One of the two surfaces on its way through the filter.
-struct Side : mien::SurfaceMesh
-{
+struct Side : mien::SurfaceMesh {
   std::vector<double> areas, distances;
 };
 
-vtkSmartPointer<vtkDoubleArray> column(const char* name)
-{
+vtkSmartPointer<vtkDoubleArray> column(const char* name) {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
   return array;
 }
 
-void fillTable(const std::array<mien::DistanceSummary, 2>& summaries, vtkTable* table)
-{
+void fillTable(const std::array<mien::DistanceSummary, 2>& summaries, vtkTable* table) {
   vtkNew<vtkStringArray> directions;
   directions->SetName("direction");
   vtkNew<vtkLongLongArray> points;
   points->SetName("points");
   const auto rms = column("rms_mm"), mean = column("mean_mm"), maximum = column("max_mm"), area = column("area_mm2");
-  for (int i = 0; i < 2; ++i)
-  {
+  for (int i = 0; i < 2; ++i) {
     directions->InsertNextValue(directionNames[i]);
     rms->InsertNextValue(summaries[i].rms);
     mean->InsertNextValue(summaries[i].mean);
@@ -65,13 +59,11 @@ void fillTable(const std::array<mien::DistanceSummary, 2>& summaries, vtkTable* 
     points->InsertNextValue(summaries[i].points);
   }
   table->AddColumn(directions);
-  for (const auto& array : { rms, mean, maximum, area })
-    table->AddColumn(array);
+  for (const auto& array : {rms, mean, maximum, area}) table->AddColumn(array);
   table->AddColumn(points);
 }
 
-void fillOutput(const Side& side, vtkPolyData* output)
-{
+void fillOutput(const Side& side, vtkPolyData* output) {
   output->ShallowCopy(side.surface);
   const auto distances = column("Distance");
   distances->SetNumberOfTuples(side.surface->GetNumberOfPoints());
@@ -80,41 +72,33 @@ void fillOutput(const Side& side, vtkPolyData* output)
 }
 
 /// @return nothing, or one sentence that says why the data are no surface
-std::string readSide(vtkDataObject* data, int port, bool largestOnly, Side& side)
-{
+std::string readSide(vtkDataObject* data, int port, bool largestOnly, Side& side) {
   const std::string fault = mien::readSurface(data, portNames[port], largestOnly, side);
-  if (fault.empty())
-    side.areas = mien::pointAreas(side.triangles);
+  if (fault.empty()) side.areas = mien::pointAreas(side.triangles);
   return fault;
 }
 
-mien::DistanceSummary sumUp(const Side& side, double threshold)
-{
+mien::DistanceSummary sumUp(const Side& side, double threshold) {
   return mien::summarize(side.distances, side.areas,
-    [&](size_t i) { return side.areas[i] > 0.0 && side.triangles->GetPoint(i)[2] > threshold; });
+                         [&](size_t i) { return side.areas[i] > 0.0 && side.triangles->GetPoint(i)[2] > threshold; });
 }
 
-} // namespace
+}  // namespace
 
-struct vtkSurfaceDistanceFilter::Internals
-{
+struct vtkSurfaceDistanceFilter::Internals {
   std::array<mien::DistanceSummary, 2> summaries;
 
   /// Distances of one side's points to the other side; false when aborted.
-  static bool measure(Side& from, const Side& to, bool withSign, double progress, vtkAlgorithm* self)
-  {
+  static bool measure(Side& from, const Side& to, bool withSign, double progress, vtkAlgorithm* self) {
     const mien::SurfaceDistance distance(to.triangles);
     const vtkIdType count = from.triangles->GetNumberOfPoints();
     from.distances.resize(count);
-    for (vtkIdType begin = 0; begin < count; begin += pointsPerSlab)
-    {
-      if (self->GetAbortExecute())
-        return false;
+    for (vtkIdType begin = 0; begin < count; begin += pointsPerSlab) {
+      if (self->GetAbortExecute()) return false;
       const vtkIdType end = std::min(count, begin + pointsPerSlab);
       vtkSMPTools::For(begin, end, pointsPerTask, [&](vtkIdType first, vtkIdType last) {
         double point[3];
-        for (vtkIdType i = first; i < last; ++i)
-        {
+        for (vtkIdType i = first; i < last; ++i) {
           from.triangles->GetPoint(i, point);
           from.distances[i] = distance(point, withSign);
         }
@@ -125,87 +109,72 @@ struct vtkSurfaceDistanceFilter::Internals
   }
 };
 
-vtkSurfaceDistanceFilter::vtkSurfaceDistanceFilter()
-  : Impl(new Internals)
-{
+vtkSurfaceDistanceFilter::vtkSurfaceDistanceFilter() : Impl(new Internals) {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
 }
 
 vtkSurfaceDistanceFilter::~vtkSurfaceDistanceFilter() = default;
 
-double vtkSurfaceDistanceFilter::GetRMSDistance(int direction) const
-{
+double vtkSurfaceDistanceFilter::GetRMSDistance(int direction) const {
   return this->Impl->summaries[direction != 0].rms;
 }
 
-double vtkSurfaceDistanceFilter::GetMeanDistance(int direction) const
-{
+double vtkSurfaceDistanceFilter::GetMeanDistance(int direction) const {
   return this->Impl->summaries[direction != 0].mean;
 }
 
-double vtkSurfaceDistanceFilter::GetMaximumDistance(int direction) const
-{
+double vtkSurfaceDistanceFilter::GetMaximumDistance(int direction) const {
   return this->Impl->summaries[direction != 0].maximum;
 }
 
-int vtkSurfaceDistanceFilter::FillInputPortInformation(int, vtkInformation* info)
-{
+int vtkSurfaceDistanceFilter::FillInputPortInformation(int, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
   return 1;
 }
 
-int vtkSurfaceDistanceFilter::FillOutputPortInformation(int port, vtkInformation* info)
-{
+int vtkSurfaceDistanceFilter::FillOutputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == portOfTable ? "vtkTable" : "vtkPolyData");
   return 1;
 }
 
 // Every piece of the output needs both whole inputs: the nearest point can lie anywhere.
-int vtkSurfaceDistanceFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
-{
-  for (int port = 0; port < 2; ++port)
-    mien::requestWhole(inputs[port]->GetInformationObject(0));
+int vtkSurfaceDistanceFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                                                  vtkInformationVector*) {
+  for (int port = 0; port < 2; ++port) mien::requestWhole(inputs[port]->GetInformationObject(0));
   return 1;
 }
 
-int vtkSurfaceDistanceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
+int vtkSurfaceDistanceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                          vtkInformationVector* outputs) {
   this->Impl->summaries = {};
   std::array<Side, 2> sides;
-  for (int port = 0; port < 2; ++port)
-  {
+  for (int port = 0; port < 2; ++port) {
     const std::string fault =
-      readSide(vtkDataObject::GetData(inputs[port]), port, port == 1 && this->LargestComponentOnly, sides[port]);
-    if (!fault.empty())
-      return this->Refuse(fault);
+        readSide(vtkDataObject::GetData(inputs[port]), port, port == 1 && this->LargestComponentOnly, sides[port]);
+    if (!fault.empty()) return this->Refuse(fault);
   }
   std::array<mien::DistanceSummary, 2> summaries;
-  for (int port = 0; port < 2; ++port)
-  {
-    if (!Internals::measure(sides[port], sides[1 - port], this->Signed, 0.5 * port, this))
-      return 1;
+  for (int port = 0; port < 2; ++port) {
+    if (!Internals::measure(sides[port], sides[1 - port], this->Signed, 0.5 * port, this)) return 1;
     summaries[port] = sumUp(sides[port], this->FrontalOnly ? this->FrontalThreshold : everywhere);
     if (summaries[port].points == 0)
       return this->Refuse("no point of the " + std::string(portNames[port]) + " lies at z > " +
-        vtkVariant(this->FrontalThreshold).ToString() + " mm; lower the frontal threshold");
+                          vtkVariant(this->FrontalThreshold).ToString() + " mm; lower the frontal threshold");
   }
   this->Impl->summaries = summaries;
-  for (int port = 0; port < 2; ++port)
-    fillOutput(sides[port], vtkPolyData::GetData(outputs, port));
+  for (int port = 0; port < 2; ++port) fillOutput(sides[port], vtkPolyData::GetData(outputs, port));
   fillTable(summaries, vtkTable::GetData(outputs, portOfTable));
   return 1;
 }
 
-int vtkSurfaceDistanceFilter::Refuse(const std::string& fault)
-{
+int vtkSurfaceDistanceFilter::Refuse(const std::string& fault) {
   vtkErrorMacro(<< fault);
   return 0;
 }
 
-void vtkSurfaceDistanceFilter::PrintSelf(ostream& os, vtkIndent indent)
-{
+void vtkSurfaceDistanceFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FrontalOnly: " << this->FrontalOnly << "\n";
   os << indent << "FrontalThreshold: " << this->FrontalThreshold << "\n";

@@ -2,30 +2,28 @@
  * @class vtkSurfaceDistanceFilter
  * @brief two-sided distance between a surface and a reference mesh
  *
- * Inputs: port 0 the surface, port 1 the reference, each vtkPolyData or vtkStructuredGrid (of which the visible cells are
- * taken, as vtkGeometryFilter does), lengths in mm.
- * Outputs: port 0 the surface and port 1 the reference as vtkPolyData with the point array `Distance` (mm, double) to
- * the other; port 2 a vtkTable with one row each way, columns `direction` ("to reference", "from reference"), `rms_mm`,
- * `mean_mm`, `max_mm`, `area_mm2` and `points`. RMS and mean are weighted with the area that belongs to each point, a third of
- * every triangle around it.
+ * Inputs: port 0 the surface, port 1 the reference, each vtkPolyData or vtkStructuredGrid (of which the visible cells
+ * are taken, as vtkGeometryFilter does), lengths in mm. Outputs: port 0 the surface and port 1 the reference as
+ * vtkPolyData with the point array `Distance` (mm, double) to the other; port 2 a vtkTable with one row each way,
+ * columns `direction` ("to reference", "from reference"), `rms_mm`, `mean_mm`, `max_mm`, `area_mm2` and `points`. RMS
+ * and mean are weighted with the area that belongs to each point, a third of every triangle around it.
  *
  * Equation: d(p) = min over q of |p - q|; signs from angle-weighted pseudonormals [Baerentzen and Aanaes 2005].
- * Limitations: distances are taken at points, not integrated over triangles, so a coarse surface is measured coarsely. Parts of
- * the reference that the surface does not cover (a head's neck, the inside of its mouth) count in the way back.
- * Errors: an input without polygons or with points that are not finite, a threshold beyond which nothing lies.
+ * Limitations: distances are taken at points, not integrated over triangles, so a coarse surface is measured coarsely.
+ * Parts of the reference that the surface does not cover (a head's neck, the inside of its mouth) count in the way
+ * back. Errors: an input without polygons or with points that are not finite, a threshold beyond which nothing lies.
  */
 #ifndef vtkSurfaceDistanceFilter_h
 #define vtkSurfaceDistanceFilter_h
 
-#include "MienSurfaceModule.h"
-#include "vtkPolyDataAlgorithm.h"
-
 #include <memory>
 #include <string>
 
-class MIENSURFACE_EXPORT vtkSurfaceDistanceFilter : public vtkPolyDataAlgorithm
-{
-public:
+#include "MienSurfaceModule.h"
+#include "vtkPolyDataAlgorithm.h"
+
+class MIENSURFACE_EXPORT vtkSurfaceDistanceFilter : public vtkPolyDataAlgorithm {
+ public:
   static vtkSurfaceDistanceFilter* New();
   vtkTypeMacro(vtkSurfaceDistanceFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -37,7 +35,8 @@ public:
   ///@}
 
   ///@{
-  /** Whether RMS, mean and maximum take points in front of FrontalThreshold only. Default off. The array has all points. */
+  /** Whether RMS, mean and maximum take points in front of FrontalThreshold only. Default off. The array has all
+   * points. */
   vtkSetMacro(FrontalOnly, bool);
   vtkGetMacro(FrontalOnly, bool);
   vtkBooleanMacro(FrontalOnly, bool);
@@ -58,7 +57,8 @@ public:
   ///@}
 
   ///@{
-  /** Whether only the reference's largest connected part counts: the skin of a head without its eyeballs. Default off. */
+  /** Whether only the reference's largest connected part counts: the skin of a head without its eyeballs. Default off.
+   */
   vtkSetMacro(LargestComponentOnly, bool);
   vtkGetMacro(LargestComponentOnly, bool);
   vtkBooleanMacro(LargestComponentOnly, bool);
@@ -71,7 +71,7 @@ public:
   double GetMaximumDistance(int direction = 0) const;
   ///@}
 
-protected:
+ protected:
   vtkSurfaceDistanceFilter();
   ~vtkSurfaceDistanceFilter() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -79,7 +79,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-private:
+ private:
   vtkSurfaceDistanceFilter(const vtkSurfaceDistanceFilter&) = delete;
   void operator=(const vtkSurfaceDistanceFilter&) = delete;
 

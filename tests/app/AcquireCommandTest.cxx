@@ -1,8 +1,8 @@
+#include <gtest/gtest.h>
+
 #include "FaceFiles.h"
 #include "Program.h"
 #include "ReferenceData.h"
-
-#include <gtest/gtest.h>
 
 namespace {
 

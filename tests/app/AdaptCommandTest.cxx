@@ -1,14 +1,15 @@
-#include "FaceFiles.h"
-#include "Program.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
+#include "FaceFiles.h"
+#include "Program.h"
+
 namespace {
 
-/// The landmarks of the generic face as those of a photograph: 3 pixels per mm, y downwards; the chin dropped by so many mm.
+/// The landmarks of the generic face as those of a photograph: 3 pixels per mm, y downwards; the chin dropped by so
+/// many mm.
 std::string writePhotograph(const std::string& name, double chinDrop = 0.0) {
   std::ifstream known(MIEN_DATA_DIR "/faces/generic68.csv");
   std::ofstream file(name);
@@ -28,7 +29,8 @@ std::string writePhotograph(const std::string& name, double chinDrop = 0.0) {
 
 TEST(AdaptCommand, TheGenericFacesOwnPictureGivesItBack) {
   const TemporaryFolder folder;
-  const Outcome outcome = runMien({"adapt", writePhotograph(folder.file("p.csv")), "-o", folder.file("face.vtp"), "--json"});
+  const Outcome outcome =
+      runMien({"adapt", writePhotograph(folder.file("p.csv")), "-o", folder.file("face.vtp"), "--json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_NE(outcome.output.find("\"y_down\": true"), std::string::npos) << outcome.output;
   vtkNew<vtkBoundaryCurveReader> reader;

@@ -1,16 +1,15 @@
-#include "PictureFile.h"
-#include "Program.h"
-
-#include "vtkPolyData.h"
-#include "vtkStructuredGrid.h"
-#include "vtkXMLPolyDataReader.h"
-#include "vtkXMLStructuredGridReader.h"
-
 #include <gtest/gtest.h>
 #include <signal.h>
 
 #include <array>
 #include <sstream>
+
+#include "PictureFile.h"
+#include "Program.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLStructuredGridReader.h"
 
 namespace {
 
@@ -80,7 +79,8 @@ TEST(AnimateCommand, SurfaceSeriesNamesItsFilesAndTimes) {
 std::vector<double> timesIn(const std::string& series) {
   const std::string text = readTextFile(series);
   std::vector<double> times;
-  for (size_t at = 0; (at = text.find("timestep=\"", at)) != std::string::npos; ++at) times.push_back(std::stod(text.substr(at + 10)));
+  for (size_t at = 0; (at = text.find("timestep=\"", at)) != std::string::npos; ++at)
+    times.push_back(std::stod(text.substr(at + 10)));
   return times;
 }
 
@@ -112,10 +112,14 @@ TEST(AnimateCommand, SecondsChooseFramesAndRepetitionsFollow) {
   ASSERT_EQ(times.size(), wanted.size());
   for (size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(times[i], wanted[i], 1e-9);
   EXPECT_EQ(pointOf(folder.file("a/a_0001.vts")), pointOf(folder.file("a/a_0004.vts")));
-  ASSERT_EQ(animate({demo, "--start", "1.01", "--end", "1.03", "--fps", "100", "-o", folder.file("b.pvd")}).exitCode, 0);
+  ASSERT_EQ(animate({demo, "--start", "1.01", "--end", "1.03", "--fps", "100", "-o", folder.file("b.pvd")}).exitCode,
+            0);
   EXPECT_EQ(timesIn(folder.file("b.pvd")).size(), 3u);
-  for (const std::vector<std::string>& options : {std::vector<std::string>{"--start", "20"}, {"--start", "1.01", "--end", "1.03"},
-                                                  {"--loop", "0"}, {"--end", "-1"}, {"--start", "x"}}) {
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--start", "20"},
+                                                  {"--start", "1.01", "--end", "1.03"},
+                                                  {"--loop", "0"},
+                                                  {"--end", "-1"},
+                                                  {"--start", "x"}}) {
     std::vector<std::string> all = {demo, "-o", film};
     all.insert(all.end(), options.begin(), options.end());
     EXPECT_EQ(animate(all).exitCode, 2) << options[0] << " " << options[1];
@@ -127,7 +131,8 @@ class FfmpegStandIn {
  public:
   FfmpegStandIn(const TemporaryFolder& folder, const std::string& script) : path_(getenv("PATH")) {
     std::filesystem::create_directory(folder.file("bin"));
-    writeTextFile(folder.file("bin/ffmpeg"), "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\nfor last; do :; done\n" + script);
+    writeTextFile(folder.file("bin/ffmpeg"),
+                  "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\nfor last; do :; done\n" + script);
     std::filesystem::permissions(folder.file("bin/ffmpeg"), std::filesystem::perms::owner_all);
     setenv("PATH", (folder.file("bin") + ":" + path_).c_str(), 1);
   }
@@ -188,7 +193,9 @@ class Piped {
     close(ends[0]);
     input_ = ends[1];
   }
-  void send(const std::string& text) { ASSERT_EQ(write(input_, text.data(), text.size()), static_cast<ssize_t>(text.size())); }
+  void send(const std::string& text) {
+    ASSERT_EQ(write(input_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  }
   void interrupt() { kill(child_, SIGINT); }
   int end() {
     close(input_);
@@ -262,7 +269,8 @@ TEST(AnimateCommand, WritesAFilm) {
   EXPECT_EQ(entriesIn(folder.file("")), 1);
 }
 
-/// Seconds that a Theora film lasts: the number in its last Ogg page's granule position over the rate in its first header.
+/// Seconds that a Theora film lasts: the number in its last Ogg page's granule position over the rate in its first
+/// header.
 double secondsOfFilm(const std::string& bytes) {
   const auto byte = [&](size_t at) { return static_cast<unsigned long>(static_cast<unsigned char>(bytes.at(at))); };
   const size_t header = bytes.find("\x80theora");

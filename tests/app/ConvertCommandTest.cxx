@@ -1,8 +1,8 @@
-#include "Program.h"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
+
+#include "Program.h"
 
 namespace {
 
@@ -37,7 +37,8 @@ TEST(ConvertCommand, CaptureIsSeenFromItsHeader) {
   const Outcome info = runMien({"info", folder.file("take.csv")});
   EXPECT_NE(info.output.find("ARKit blendshapes"), std::string::npos) << info.output;
   EXPECT_NE(info.output.find("3 at 10 per second"), std::string::npos) << info.output;
-  EXPECT_EQ(runMien({"curves", "--fap", folder.file("take.csv"), "--index", "1", "-o", folder.file("c.csv")}).exitCode, 0);
+  EXPECT_EQ(runMien({"curves", "--fap", folder.file("take.csv"), "--index", "1", "-o", folder.file("c.csv")}).exitCode,
+            0);
 }
 
 TEST(ConvertCommand, AnotherRateMixesFramesOrIsTheRateOfATableWithout) {

@@ -1,9 +1,8 @@
-#include "FaceFiles.h"
-#include "Program.h"
-
-#include "FaceLayout.h"
-
 #include <gtest/gtest.h>
+
+#include "FaceFiles.h"
+#include "FaceLayout.h"
+#include "Program.h"
 
 namespace {
 
@@ -19,8 +18,8 @@ mien::FaceCurves faceFrom(const std::string& name) {
 TEST(EditCommand, MovesPointsOnBothSides) {
   const TemporaryFolder folder;
   const std::string output = folder.file("raised.vtp");
-  const Outcome outcome = runMien({"edit", "--feature", "4.1", "--move", "0,2,1", "--mirror", "--spread", "2", "--curve", "C15", "--v",
-                                   "3.14159265358979", "--move", "0,0,-3", "-o", output});
+  const Outcome outcome = runMien({"edit", "--feature", "4.1", "--move", "0,2,1", "--mirror", "--spread", "2",
+                                   "--curve", "C15", "--v", "3.14159265358979", "--move", "0,0,-3", "-o", output});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   const mien::FaceCurves edited = faceFrom(output), neutral = genericFace();
   EXPECT_NEAR(edited.curves.curve(14)(20, 2) - neutral.curves.curve(14)(20, 2), -3.0, 1e-6);

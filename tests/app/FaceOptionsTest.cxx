@@ -1,9 +1,9 @@
-#include "FaceFiles.h"
-#include "Program.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "FaceFiles.h"
+#include "Program.h"
 
 namespace {
 

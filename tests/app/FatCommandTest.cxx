@@ -27,7 +27,8 @@ Outcome checkText(const std::string& text) {
 }  // namespace
 
 TEST(FatCommand, TellsWhatTheDefaultTableHolds) {
-  const Outcome outcome = runMien({"fat", "check", std::string(MIEN_DATA_DIR) + "/animation/animation_table.json", "--json"});
+  const Outcome outcome =
+      runMien({"fat", "check", std::string(MIEN_DATA_DIR) + "/animation/animation_table.json", "--json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   const auto table = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(table["version"], 2);
@@ -40,7 +41,8 @@ TEST(FatCommand, TellsWhatTheDefaultTableHolds) {
 TEST(FatCommand, NamesLineOrEntryOfAFault) {
   const Outcome broken = checkText(replaced("\"contacts\": [", "\"contacts\": [,"));
   EXPECT_EQ(broken.exitCode, 1);
-  EXPECT_NE(broken.errors.find("table.json:4: animation table: it is no valid JSON"), std::string::npos) << broken.errors;
+  EXPECT_NE(broken.errors.find("table.json:4: animation table: it is no valid JSON"), std::string::npos)
+      << broken.errors;
   const Outcome curve = checkText(replaced("[\"C28\"]", "[\"C99\"]"));
   EXPECT_EQ(curve.exitCode, 1);
   EXPECT_NE(curve.errors.find("FAP 14: curve \"C99\" is unknown"), std::string::npos) << curve.errors;
@@ -65,8 +67,11 @@ TEST(FatCommand, RefusesTheMalformedTables) {
 
 TEST(FatCommand, ATableOfOnesOwnMovesTheFace) {
   TemporaryFolder folder;
-  writeTextFile(folder.file("table.json"), replaced("\"borders\": [-1000, 0, 1000], \"parts\": [\n      {\"curves\": [\"C28\"], \"above\"",
-                                                "\"borders\": [-1000, 0, 1000], \"parts\": [\n      {\"curves\": [\"C28\"], \"slopes\": [[0,0,2],[0,0,2]], \"above\""));
-  const Outcome own = runMien({"curves", "--fat", folder.file("table.json"), "--set", "14=100", "-o", folder.file("a.vtp")});
+  writeTextFile(folder.file("table.json"),
+                replaced("\"borders\": [-1000, 0, 1000], \"parts\": [\n      {\"curves\": [\"C28\"], \"above\"",
+                         "\"borders\": [-1000, 0, 1000], \"parts\": [\n      {\"curves\": [\"C28\"], \"slopes\": "
+                         "[[0,0,2],[0,0,2]], \"above\""));
+  const Outcome own =
+      runMien({"curves", "--fat", folder.file("table.json"), "--set", "14=100", "-o", folder.file("a.vtp")});
   EXPECT_EQ(own.exitCode, 0) << own.errors;
 }

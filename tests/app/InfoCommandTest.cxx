@@ -1,9 +1,10 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
 #include "FAPUnits.h"
 #include "FaceFiles.h"
 #include "Program.h"
-
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 namespace {
 
@@ -19,9 +20,11 @@ json infoOf(std::vector<std::string> arguments) {
 
 const char* const smallFAP =
     "# eyes and mouth\n2.1 small 10 3\n"
-    "0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+    "0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 "
+    "0 0 0 0 0 0 0 0 0 0 0\n"
     "7 10 0 0 0\n"
-    "0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n"
+    "0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 1 1 0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 "
+    "0 0 0 0 0 0 0 0 0 0 0\n"
     "8 20 512 512 5\n";
 
 TEST(InfoCommand, TellsTheGenericFace) {
@@ -102,7 +105,8 @@ TEST(InfoCommand, EveryMalformedAnimationIsRefusedWithFileAndLineByEveryCommandT
     const std::string file = entry.path().string(), name = entry.path().filename().string();
     const std::string place = "mien: " + file + ":" + std::to_string(std::stoi(name.substr(4))) + ": ";
     for (const std::vector<std::string>& words :
-         {std::vector<std::string>{"info", file}, {"curves", "--fap", file, "--index", "0", "-o", folder.file("curves.csv")}}) {
+         {std::vector<std::string>{"info", file},
+          {"curves", "--fap", file, "--index", "0", "-o", folder.file("curves.csv")}}) {
       const Outcome outcome = runMien(words);
       EXPECT_EQ(outcome.exitCode, 1) << name;
       EXPECT_EQ(outcome.errors.rfind(place, 0), 0u) << outcome.errors;

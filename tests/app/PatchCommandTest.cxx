@@ -1,16 +1,15 @@
-#include "CsvRows.h"
-#include "FaceFiles.h"
-#include "Program.h"
-
-#include "vtkPDEPatchFilter.h"
-#include "vtkPointData.h"
-#include "vtkStructuredGrid.h"
-#include "vtkXMLStructuredGridReader.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <tuple>
+
+#include "CsvRows.h"
+#include "FaceFiles.h"
+#include "Program.h"
+#include "vtkPDEPatchFilter.h"
+#include "vtkPointData.h"
+#include "vtkStructuredGrid.h"
+#include "vtkXMLStructuredGridReader.h"
 
 namespace {
 
@@ -36,9 +35,16 @@ TEST(PatchCommand, GridHoldsWhatTheFilterComputes) {
   const TemporaryFolder folder;
   const mien::ClosedCurves curves = circles({5, 8, 3, 4});
   writeCurves(curves, folder.file("vase.vtp"));
-  const Outcome outcome = runMien({"patch", folder.file("vase.vtp"), "--condition", "0", "--condition", "0.2:0", "--condition", "1:1",
-                                   "--condition", "1", "-a", "2", "-N", "3", "--resolution", "9x12", "--precision", "double", "-o",
-                                   folder.file("vase.vts")});
+  const Outcome outcome = runMien({"patch",        folder.file("vase.vtp"),
+                                   "--condition",  "0",
+                                   "--condition",  "0.2:0",
+                                   "--condition",  "1:1",
+                                   "--condition",  "1",
+                                   "-a",           "2",
+                                   "-N",           "3",
+                                   "--resolution", "9x12",
+                                   "--precision",  "double",
+                                   "-o",           folder.file("vase.vts")});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   vtkNew<vtkXMLStructuredGridReader> reader;
   reader->SetFileName(folder.file("vase.vts").c_str());
@@ -68,7 +74,8 @@ TEST(PatchCommand, GridHoldsWhatTheFilterComputes) {
 TEST(PatchCommand, TableBeginsAndEndsOnTheOuterCurves) {
   const TemporaryFolder folder;
   writeCurves(circles({5, 8}), folder.file("cone.vtp"));
-  ASSERT_EQ(runMien({"patch", folder.file("cone.vtp"), "--resolution", "3x16", "-o", folder.file("cone.csv")}).exitCode, 0);
+  ASSERT_EQ(runMien({"patch", folder.file("cone.vtp"), "--resolution", "3x16", "-o", folder.file("cone.csv")}).exitCode,
+            0);
   const auto rows = csvRows(folder.file("cone.csv"));
   ASSERT_EQ(rows.size(), 3u * 16u);
   for (int j = 0; j < 16; ++j)
@@ -86,9 +93,14 @@ TEST(PatchCommand, WrongValuesAndFilesAreRefused) {
   const std::string file = folder.file("c.vtp"), output = folder.file("x.vts");
   writeCurves(circles({5, 8}), file);
   const std::vector<std::pair<std::vector<std::string>, int>> cases = {
-      {{file, "-a", "0"}, 2},          {{file, "-N", "9"}, 2},           {{file, "--condition", "0"}, 2},
-      {{file, "--condition", "2"}, 2}, {{file, "--condition", "1:x"}, 2}, {{file, "--resolution", "1x3"}, 2},
-      {{"none.vtp"}, 1},               {{}, 2},
+      {{file, "-a", "0"}, 2},
+      {{file, "-N", "9"}, 2},
+      {{file, "--condition", "0"}, 2},
+      {{file, "--condition", "2"}, 2},
+      {{file, "--condition", "1:x"}, 2},
+      {{file, "--resolution", "1x3"}, 2},
+      {{"none.vtp"}, 1},
+      {{}, 2},
   };
   for (const auto& [options, code] : cases) {
     std::vector<std::string> arguments = {"patch", "-o", output};

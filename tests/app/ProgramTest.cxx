@@ -1,13 +1,13 @@
-#include "Program.h"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 
+#include "Program.h"
+
 namespace {
 
-const std::vector<std::string> commands = {"info", "surface", "curves", "patch", "render", "animate", "acquire",
-                                           "continuity", "spectrum", "sweep", "influence", "compare"};
+const std::vector<std::string> commands = {"info",    "surface",    "curves",   "patch", "render",    "animate",
+                                           "acquire", "continuity", "spectrum", "sweep", "influence", "compare"};
 
 TEST(Program, EveryCommandExplainsItselfWithAnExample) {
   const Outcome overview = runMien({"--help"});
@@ -25,7 +25,8 @@ TEST(Program, WrongUseEndsWithTwoAndSaysWhatThereIs) {
   EXPECT_EQ(runMien({}).exitCode, 2);
   const Outcome unknown = runMien({"sculpt"});
   EXPECT_EQ(unknown.exitCode, 2);
-  EXPECT_EQ(unknown.errors.rfind("mien: there is no command 'sculpt'; the commands are info, ", 0), 0u) << unknown.errors;
+  EXPECT_EQ(unknown.errors.rfind("mien: there is no command 'sculpt'; the commands are info, ", 0), 0u)
+      << unknown.errors;
   const Outcome option = runMien({"info", "--hat"});
   EXPECT_EQ(option.exitCode, 2);
   EXPECT_NE(option.errors.find("--hat"), std::string::npos) << option.errors;

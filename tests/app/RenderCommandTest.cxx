@@ -1,8 +1,8 @@
+#include <gtest/gtest.h>
+
 #include "FaceStateText.h"
 #include "PictureFile.h"
 #include "Program.h"
-
-#include <gtest/gtest.h>
 
 namespace {
 
@@ -62,7 +62,8 @@ TEST(RenderCommand, StylesAndColoursShow) {
     options.insert(options.end(), size.begin(), size.end());
     return shareUnlikeCorner(render(folder, options));
   };
-  EXPECT_LT(with({"--style", "wireframe", "--resolution", "11x8"}), 0.9 * with({"--style", "both", "--resolution", "11x8"}));
+  EXPECT_LT(with({"--style", "wireframe", "--resolution", "11x8"}),
+            0.9 * with({"--style", "both", "--resolution", "11x8"}));
   EXPECT_GT(with({"--color-by", "PatchId"}), 0.2);
   EXPECT_GT(with({"--color-by", "TextureCoordinates", "--curves"}), 0.2);
 }
@@ -83,8 +84,8 @@ TEST(RenderCommand, ThePictureCarriesItsState) {
 TEST(RenderCommand, WrongValuesAreRefused) {
   const TemporaryFolder folder;
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-      {{"--view", "inside"}, "front, side"},   {{"--size", "0x5"}, "56x40"},        {{"--size", "9000x5"}, "8192"},
-      {{"--style", "oil"}, "wireframe"},       {{"--background", "blurple"}, "#"}, {{"--color-by", "Mood"}, "PatchId"},
+      {{"--view", "inside"}, "front, side"}, {{"--size", "0x5"}, "56x40"},       {{"--size", "9000x5"}, "8192"},
+      {{"--style", "oil"}, "wireframe"},     {{"--background", "blurple"}, "#"}, {{"--color-by", "Mood"}, "PatchId"},
   };
   for (const auto& [options, part] : cases) {
     std::vector<std::string> arguments = {"render", "-o", folder.file("x.png")};

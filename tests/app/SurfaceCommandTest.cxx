@@ -1,8 +1,15 @@
-#include "FaceFiles.h"
-#include "FaceState.h"
-#include "FacePipeline.h"
-#include "Program.h"
+#include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "FaceFiles.h"
+#include "FacePipeline.h"
+#include "FaceState.h"
+#include "Program.h"
 #include "vtkCellData.h"
 #include "vtkOBJReader.h"
 #include "vtkPDEFaceFilter.h"
@@ -12,14 +19,6 @@
 #include "vtkStructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLStructuredGridReader.h"
-
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <map>
-#include <sstream>
 
 namespace {
 
@@ -122,7 +121,8 @@ TEST(SurfaceCommand, TableMeetsTheBoundaryCurves) {
       if (std::abs(row[1] - i / 3.0) < 1e-12) {
         const int curve = mien::FaceLayout::firstCurve[static_cast<int>(row[0])] + i;
         const int j = static_cast<int>(std::lround(row[2] * 40 / (2 * M_PI)));
-        largest = std::max(largest, (face.curves.curve(curve).row(j) - Eigen::RowVector3d(row[3], row[4], row[5])).norm());
+        largest =
+            std::max(largest, (face.curves.curve(curve).row(j) - Eigen::RowVector3d(row[3], row[4], row[5])).norm());
         ++compared;
       }
   EXPECT_EQ(compared, 9 * 4 * 40);

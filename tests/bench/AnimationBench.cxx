@@ -1,26 +1,25 @@
 /// From FAP frames to curves and surfaces, beside memcpy of the same output in the same run.
-#include "AnimationData.h"
-#include "BoundaryCurveData.h"
-#include "FaceAnimator.h"
-#include "FaceSurface.h"
-#include "FAPParser.h"
-#include "FAPTable.h"
-#include "FAPWriter.h"
-#include "PDESurface.h"
-#include "SurfaceNormals.h"
-#include "vtkBoundaryCurveReader.h"
-#include "vtkFAPAnimationFilter.h"
-#include "vtkPDEFaceFilter.h"
-
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkSMPTools.h"
-#include "vtkStructuredGrid.h"
-
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <cstring>
+
+#include "AnimationData.h"
+#include "BoundaryCurveData.h"
+#include "FAPParser.h"
+#include "FAPTable.h"
+#include "FAPWriter.h"
+#include "FaceAnimator.h"
+#include "FaceSurface.h"
+#include "PDESurface.h"
+#include "SurfaceNormals.h"
+#include "vtkBoundaryCurveReader.h"
+#include "vtkFAPAnimationFilter.h"
+#include "vtkNew.h"
+#include "vtkPDEFaceFilter.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStructuredGrid.h"
 
 using namespace mien;
 
@@ -63,7 +62,8 @@ void frameToSurface(benchmark::State& state, const std::string& scheme) {
   FaceSurfaceOptions options;
   options.scheme = scheme;
   const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(columns + 1, 0.0, 2.0 * M_PI);
-  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true), FaceLayout::curveCount, v);
+  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true),
+                            FaceLayout::curveCount, v);
   RowMajor<float> points(rows, v.size() * 3), normals = points, su = points, sv = points;
   const auto grid = [](RowMajor<float>& m) { return PDESurface<float>::Grid(m.data(), m.rows(), m.cols()); };
   int index = 0;
@@ -82,7 +82,8 @@ void thousandFrames(benchmark::State& state, const std::string& scheme) {
   FAPSequence sequence;
   for (int index = 0; index < 1000; ++index) {
     FAPFrame frame = movingFrame(index);
-    for (const int fap : {3, 4, 5, 8, 9, 10, 11, 21, 22, 37, 38, 55, 56, 57, 58}) frame.setValue(fap, 90.0 * std::sin(0.07 * index + fap));
+    for (const int fap : {3, 4, 5, 8, 9, 10, 11, 21, 22, 37, 38, 55, 56, 57, 58})
+      frame.setValue(fap, 90.0 * std::sin(0.07 * index + fap));
     frame.number = index;
     sequence.frames.push_back(frame);
     sequence.masks.emplace_back().set();
@@ -93,7 +94,8 @@ void thousandFrames(benchmark::State& state, const std::string& scheme) {
   const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(columns + 1, 0.0, 2.0 * M_PI);
   FaceSurfaceOptions options;
   options.scheme = scheme;
-  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true), FaceLayout::curveCount, v);
+  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true),
+                            FaceLayout::curveCount, v);
   RowMajor<float> points(rows, v.size() * 3), normals = points, su = points, sv = points;
   const auto grid = [](RowMajor<float>& m) { return PDESurface<float>::Grid(m.data(), m.rows(), m.cols()); };
   for (auto _ : state) {

@@ -1,21 +1,21 @@
-/// Deforming points by tables and fitting recordings, beside memcpy and a plain loop of the same arithmetic in the same run.
+/// Deforming points by tables and fitting recordings, beside memcpy and a plain loop of the same arithmetic in the same
+/// run.
+#include <benchmark/benchmark.h>
+
+#include <Eigen/QR>
+#include <cmath>
+#include <cstring>
+
 #include "DefaultRegions.h"
 #include "FDTData.h"
 #include "NamedTables.h"
 #include "TableDeformation.h"
 #include "TableFit.h"
 #include "vtkFDTDeformationFilter.h"
-
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
-
-#include <Eigen/QR>
-#include <benchmark/benchmark.h>
-
-#include <cmath>
-#include <cstring>
 
 using namespace mien;
 

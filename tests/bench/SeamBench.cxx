@@ -1,17 +1,16 @@
 /// All eight seams of a face and its spectrum, beside memcpy of what they compute in the same run.
+#include <benchmark/benchmark.h>
+
+#include <cstring>
+
 #include "BoundaryCurveData.h"
 #include "FaceSeams.h"
 #include "ModeSpectrum.h"
 #include "vtkBoundaryCurveReader.h"
-#include "vtkPatchContinuityFilter.h"
-
 #include "vtkNew.h"
+#include "vtkPatchContinuityFilter.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-
-#include <benchmark/benchmark.h>
-
-#include <cstring>
 
 using namespace mien;
 

@@ -1,21 +1,20 @@
 /// From curves to surfaces, beside memcpy of the same output in the same run.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <cstring>
+
 #include "BoundaryCurveData.h"
 #include "FaceSurface.h"
 #include "PDESurface.h"
 #include "SurfaceNormals.h"
 #include "vtkBoundaryCurveReader.h"
-#include "vtkPDEFaceFilter.h"
-
 #include "vtkNew.h"
+#include "vtkPDEFaceFilter.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
-
-#include <benchmark/benchmark.h>
-
-#include <cmath>
-#include <cstring>
 
 using namespace mien;
 
@@ -36,7 +35,8 @@ void coreSurface(benchmark::State& state, const std::string& scheme) {
   FaceSurfaceOptions options;
   options.scheme = scheme;
   const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(columns + 1, 0.0, 2.0 * M_PI);
-  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true), FaceLayout::curveCount, v);
+  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true),
+                            FaceLayout::curveCount, v);
   RowMajor<float> points(rows, v.size() * 3), normals(rows, v.size() * 3);
   const int block = std::max(1, 4096 / columns);
   RowMajor<float> su(block, v.size() * 3), sv(block, v.size() * 3);
@@ -85,4 +85,9 @@ void pipelineSurface(benchmark::State& state) {
 
 BENCHMARK_CAPTURE(coreSurface, fourCurve, std::string("four-curve"))->Args({56, 40})->Args({1000, 1000})->UseRealTime();
 BENCHMARK(memcpyOfOutput)->Args({56, 40})->Args({1000, 1000})->UseRealTime();
-BENCHMARK(pipelineSurface)->ArgNames({"rows", "columns", "threads"})->Args({56, 40, 1})->Args({1000, 1000, 1})->Args({1000, 1000, 2})->UseRealTime();
+BENCHMARK(pipelineSurface)
+    ->ArgNames({"rows", "columns", "threads"})
+    ->Args({56, 40, 1})
+    ->Args({1000, 1000, 1})
+    ->Args({1000, 1000, 2})
+    ->UseRealTime();

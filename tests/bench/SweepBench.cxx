@@ -1,14 +1,13 @@
 /// Sweeps over the smoothing parameter, one thread, beside what making and evaluating the same surfaces alone takes.
+#include <benchmark/benchmark.h>
+
 #include "BoundaryCurveData.h"
 #include "FaceSample.h"
 #include "NumberRange.h"
 #include "SmoothingSweep.h"
 #include "vtkBoundaryCurveReader.h"
-
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-
-#include <benchmark/benchmark.h>
 
 using namespace mien;
 

@@ -1,9 +1,8 @@
-#include "ActionFit.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
 
+#include "ActionFit.h"
 #include "CaptureParser.h"
 #include "CaptureWriter.h"
 #include "FacialActions.h"
@@ -12,9 +11,12 @@ using namespace mien;
 
 namespace {
 
-FAPMask everything() { return FAPMask().set(); }
+FAPMask everything() {
+  return FAPMask().set();
+}
 
-/// Slope of the minimised sum in each strength, by the definition in the header: 0 inside, not negative at 0, not positive at 1.
+/// Slope of the minimised sum in each strength, by the definition in the header: 0 inside, not negative at 0, not
+/// positive at 1.
 void expectMinimum(const ActionFit& fit, const FAPFrame& frame, Eigen::VectorXd x) {
   const auto value = [&](const Eigen::VectorXd& at) { return fit.loss(frame, at) + 1e-4 * at.squaredNorm(); };
   const double step = 1e-4;
@@ -91,7 +93,8 @@ TEST(CaptureWriter, EveryStyleReadsBackNearToWhatItSays) {
     EXPECT_EQ(read.framesPerSecond, 25.0);
     ASSERT_EQ(read.frames.size(), 60u);
     for (int i = 0; i < 60; ++i) {
-      EXPECT_NEAR(read.frames[i].value(59), sequence.frames[i].value(59), style == CaptureStyle::LiveLinkFace ? 40.0 : 4.0);
+      EXPECT_NEAR(read.frames[i].value(59), sequence.frames[i].value(59),
+                  style == CaptureStyle::LiveLinkFace ? 40.0 : 4.0);
       EXPECT_NEAR(read.frames[i].value(48), 500.0 * i, style == CaptureStyle::FACS ? 100.0 : 0.5);
     }
   }

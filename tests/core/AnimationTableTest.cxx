@@ -61,11 +61,13 @@ TEST(AnimationTable, RefusesFaultsAndNamesTheEntry) {
   expectFault(faultWith("\"fap\": 6", "\"fap\": 48"), "FAP 48: it turns by an angle");
   expectFault(faultWith("\"above\": \"C20\"", "\"above\": \"C23\""), "FAP 6: \"above\"");
   expectFault(faultWith("\"above\"", "\"abvoe\""), "FAP 6: the key \"abvoe\" is unknown");
-  expectFault(faultWith("\"fap\": 6,", "\"fap\": 6, \"beyond\": [53],"), "FAP 6: the entry of FAP 53 must stand before");
+  expectFault(faultWith("\"fap\": 6,", "\"fap\": 6, \"beyond\": [53],"),
+              "FAP 6: the entry of FAP 53 must stand before");
   expectFault(faultWith("\"fap\": 6,", "\"fap\": 6, \"replaces\": 53,"), "FAP 6: \"replaces\" must be a list");
   expectFault(faultWith("\"fap\": 6,", "\"fap\": 6, \"lends\": [{\"fap\": 53, \"share\": 0.5}],"),
               "FAP 6: it lends to FAP 53, which has no entry");
-  expectFault(faultWith("\"fap\": 6,", "\"fap\": 6, \"lends\": [{\"fap\": 53, \"share\": 5}],"), "FAP 6: a share must lie");
+  expectFault(faultWith("\"fap\": 6,", "\"fap\": 6, \"lends\": [{\"fap\": 53, \"share\": 5}],"),
+              "FAP 6: a share must lie");
   expectFault(faultWith("\"contacts\"", "\"sideways\": [{\"first\": \"C9\", \"last\": \"C2\"}], \"contacts\""),
               "sideways: \"first\" must not come after");
   expectFault(faultWith("\"yields\": \"both\"", "\"yields\": \"none\""), "contacts: \"yields\"");

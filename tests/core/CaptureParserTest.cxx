@@ -17,8 +17,12 @@ FAPSequence parsed(const std::string& text, CaptureKind kind) {
   return sequence;
 }
 
-FAPSequence blendshapes(const std::string& text) { return parsed(text, CaptureKind::Blendshapes); }
-FAPSequence actionUnits(const std::string& text) { return parsed(text, CaptureKind::ActionUnits); }
+FAPSequence blendshapes(const std::string& text) {
+  return parsed(text, CaptureKind::Blendshapes);
+}
+FAPSequence actionUnits(const std::string& text) {
+  return parsed(text, CaptureKind::ActionUnits);
+}
 
 /// Rows of Live Link Face: a blink that closes over the frames.
 std::string liveLink(int rows, int timeCodeRate, int step) {
@@ -49,7 +53,8 @@ TEST(CaptureParser, TimeCodesDecideTheRate) {
   EXPECT_DOUBLE_EQ(brief.framesPerSecond, 60.0);
   EXPECT_TRUE(warns(brief, "full second"));
   const FAPSequence dropped = blendshapes(
-      "Timecode,EyeBlinkLeft\n01:00:00;00,0\n01:00:00;01,0\n01:00:00;28,0\n01:00:00;29,0\n01:00:01;00,0\n01:00:01;01,0\n");
+      "Timecode,EyeBlinkLeft\n01:00:00;00,0\n01:00:00;01,0\n01:00:00;28,0\n01:00:00;29,0\n01:00:01;00,0\n01:00:01;01,"
+      "0\n");
   EXPECT_NEAR(dropped.framesPerSecond, 30000.0 / 1001.0, 1e-9);
 }
 
@@ -66,16 +71,19 @@ TEST(CaptureParser, StrengthsScaleTheMapAndTheHeadTurnsInRadians) {
 
 TEST(CaptureParser, SpellingsOfBlendshapesGiveTheSame) {
   const FAPFrame frame = blendshapes("time,eyeBlinkLeft,jawOpen\n0,0.5,0.25\n").frames[0];
-  for (const char* header : {"EyeBlinkLeft,JawOpen", "eyeBlink_L,jawOpen", "blendShape.eyeBlinkLeft,blendShape.jawOpen"}) {
+  for (const char* header :
+       {"EyeBlinkLeft,JawOpen", "eyeBlink_L,jawOpen", "blendShape.eyeBlinkLeft,blendShape.jawOpen"}) {
     const FAPFrame other = blendshapes(std::string("time,") + header + "\n0,0.5,0.25\n").frames[0];
-    for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap) EXPECT_EQ(other.value(fap), frame.value(fap));
+    for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
+      EXPECT_EQ(other.value(fap), frame.value(fap));
   }
   EXPECT_DOUBLE_EQ(blendshapes("eyeBlinkLeft,jawOpen\n50,25\n").frames[0].value(19), frame.value(19)) << "per cent";
 }
 
 TEST(CaptureParser, OpenFaceIntensitiesAreFullAtFive) {
   const FAPSequence sequence = actionUnits(
-      "frame, face_id, timestamp, confidence, success, pose_Rx, pose_Ry, pose_Rz, AU12_r, AU45_r, AU12_c, AU28_c, gaze_0_x\n"
+      "frame, face_id, timestamp, confidence, success, pose_Rx, pose_Ry, pose_Rz, AU12_r, AU45_r, AU12_c, AU28_c, "
+      "gaze_0_x\n"
       "1, 0, 0.000, 0.98, 1, 0.1, 0.2, 0.3, 2.5, 5.00, 1.00, 0.00, 0\n"
       "2, 0, 0.033, 0.98, 1, 0, 0, 0, 0, 0, 0, 1, 0\n"
       "3, 0, 0.067, 0.98, 1, 0, 0, 0, 0, 0, 0, 1, 0\n"
@@ -101,13 +109,15 @@ TEST(CaptureParser, PlainActionUnitsAreFullAtOneOrFive) {
 
 TEST(CaptureParser, LostFacesAreBridgedAndOthersLeftOut) {
   const FAPSequence lost = blendshapes(
-      "Timecode,BlendshapeCount,JawOpen\n00:00:00:00,61,0\n00:00:00:01,0\n00:00:00:02,61,1\n00:00:00:03,61,1\n00:00:00:04,61,1\n00:00:00:05,61,1\n00:00:00:59,61,1\n"
+      "Timecode,BlendshapeCount,JawOpen\n00:00:00:00,61,0\n00:00:00:01,0\n00:00:00:02,61,1\n00:00:00:03,61,1\n00:00:00:"
+      "04,61,1\n00:00:00:05,61,1\n00:00:00:59,61,1\n"
       "00:00:01:00,61,1\n");
   ASSERT_EQ(lost.frames.size(), 61u);
   EXPECT_DOUBLE_EQ(lost.frames[1].value(3), 300.0) << "half way between the frames around it";
   EXPECT_TRUE(warns(lost, "without a face"));
   EXPECT_TRUE(warns(lost, "gaps"));
-  const FAPSequence two = actionUnits("face_id,timestamp,success,AU45_r\n3,0,1,0\n7,0,1,5\n3,0.04,1,5\n3,0.08,0,nan\n3,0.12,1,5\n");
+  const FAPSequence two =
+      actionUnits("face_id,timestamp,success,AU45_r\n3,0,1,0\n7,0,1,5\n3,0.04,1,5\n3,0.08,0,nan\n3,0.12,1,5\n");
   ASSERT_EQ(two.frames.size(), 4u);
   EXPECT_EQ(two.framesPerSecond, 25.0);
   EXPECT_EQ(two.frames[0].value(19), 0.0);
@@ -116,7 +126,8 @@ TEST(CaptureParser, LostFacesAreBridgedAndOthersLeftOut) {
 }
 
 TEST(CaptureParser, MidnightPassesAndRepeatedTimesAreLeftOut) {
-  const FAPSequence midnight = blendshapes("Timecode,JawOpen\n23:59:59:58.0,0\n23:59:59:59.0,0\n00:00:00:00.0,1\n00:00:00:01.0,1\n");
+  const FAPSequence midnight =
+      blendshapes("Timecode,JawOpen\n23:59:59:58.0,0\n23:59:59:59.0,0\n00:00:00:00.0,1\n00:00:00:01.0,1\n");
   EXPECT_EQ(midnight.frames.size(), 4u);
   EXPECT_DOUBLE_EQ(midnight.framesPerSecond, 60.0);
   const FAPSequence repeated = blendshapes("time,JawOpen\n0,0\n0.04,0\n0.04,1\n0.08,1\n");

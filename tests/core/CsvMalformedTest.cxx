@@ -33,10 +33,14 @@ void expectRefused(const std::string& folder, int fewest, const Parse& parse) {
 
 }  // namespace
 
-TEST(CsvMalformed, TablesOfFAPsAreRefusedWithTheirLine) { expectRefused("fap_csv", 16, parseFAPCsv); }
+TEST(CsvMalformed, TablesOfFAPsAreRefusedWithTheirLine) {
+  expectRefused("fap_csv", 16, parseFAPCsv);
+}
 
 TEST(CsvMalformed, TablesOfCaptureAreRefusedWithTheirLine) {
   const FacialActionMap map = bundledFacialActions();
   for (const CaptureKind kind : {CaptureKind::Blendshapes, CaptureKind::ActionUnits})
-    expectRefused("capture", 14, [&](const std::string& text, FAPSequence& sequence) { return parseCapture(text, kind, map, sequence); });
+    expectRefused("capture", 14, [&](const std::string& text, FAPSequence& sequence) {
+      return parseCapture(text, kind, map, sequence);
+    });
 }

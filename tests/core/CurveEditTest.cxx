@@ -1,12 +1,11 @@
-#include "CurveEdit.h"
-
-#include "FaceLayout.h"
-#include "SyntheticFace.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <vector>
+
+#include "CurveEdit.h"
+#include "FaceLayout.h"
+#include "SyntheticFace.h"
 
 using namespace mien;
 
@@ -48,7 +47,9 @@ TEST(CurveEdit, ThePointGoesWhereItIsMovedAndTheRestFallsOff) {
   EXPECT_EQ(shift.row(row + 120).norm(), 0.0) << "two neighbours follow, no more";
   EXPECT_LT(shift.rowwise().norm().maxCoeff(), move.norm() + 1e-12);
   for (int j = 0; j < 40; ++j)
-    if (std::abs(j - 23) > 2) EXPECT_EQ(shift.row(11 * 40 + j).norm(), 0.0) << "25 degrees are 2.8 points";
+    if (std::abs(j - 23) > 2) {
+      EXPECT_EQ(shift.row(11 * 40 + j).norm(), 0.0) << "25 degrees are 2.8 points";
+    }
 }
 
 TEST(CurveEdit, BetweenSamplesTheInterpolantFollows) {
@@ -105,9 +106,11 @@ TEST(CurveEdit, ValuesOutOfRangeAreRefused) {
   CurveEdit sound = edit("C6", 1.0, {0, 1, 0});
   EXPECT_EQ(describeFault(sound, 40), "");
   for (const auto& change : std::vector<std::function<void(CurveEdit&)>>{
-           [](CurveEdit& e) { e.curve = 29; }, [](CurveEdit& e) { e.curve = -1; }, [](CurveEdit& e) { e.v = -0.1; }, [nan](CurveEdit& e) { e.v = nan; },
-           [nan](CurveEdit& e) { e.move.y() = nan; }, [](CurveEdit& e) { e.move.x() = 101.0; }, [](CurveEdit& e) { e.width = 0.1; },
-           [nan](CurveEdit& e) { e.width = nan; }, [](CurveEdit& e) { e.width = 4.0; }, [](CurveEdit& e) { e.spread = -1; }, [](CurveEdit& e) { e.spread = 29; }}) {
+           [](CurveEdit& e) { e.curve = 29; }, [](CurveEdit& e) { e.curve = -1; }, [](CurveEdit& e) { e.v = -0.1; },
+           [nan](CurveEdit& e) { e.v = nan; }, [nan](CurveEdit& e) { e.move.y() = nan; },
+           [](CurveEdit& e) { e.move.x() = 101.0; }, [](CurveEdit& e) { e.width = 0.1; },
+           [nan](CurveEdit& e) { e.width = nan; }, [](CurveEdit& e) { e.width = 4.0; },
+           [](CurveEdit& e) { e.spread = -1; }, [](CurveEdit& e) { e.spread = 29; }}) {
     CurveEdit wrong = sound;
     change(wrong);
     EXPECT_NE(describeFault(wrong, 40), "");

@@ -1,8 +1,7 @@
-#include "EarlessSkin.h"
-
-#include "SyntheticHead.h"
-
 #include <gtest/gtest.h>
+
+#include "EarlessSkin.h"
+#include "SyntheticHead.h"
 
 using namespace mien;
 

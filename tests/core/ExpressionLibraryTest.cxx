@@ -81,7 +81,8 @@ TEST(ExpressionLibrary, RefusesFaultsAndNamesTheExpression) {
 
 TEST(ExpressionLibrary, RefusesTheMalformedFiles) {
   int files = 0;
-  for (const auto& file : std::filesystem::directory_iterator(std::string(MIEN_TEST_DIR) + "/data/malformed/expressions")) {
+  for (const auto& file :
+       std::filesystem::directory_iterator(std::string(MIEN_TEST_DIR) + "/data/malformed/expressions")) {
     std::ostringstream text;
     text << std::ifstream(file.path(), std::ios::binary).rdbuf();
     ExpressionLibrary library;

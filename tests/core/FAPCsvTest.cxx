@@ -20,7 +20,8 @@ FAPSequence parsed(const std::string& text) {
 
 TEST(FAPCsv, ColumnsAreFoundByNumberAndByName) {
   const FAPSequence sequence = parsed(
-      "frame,time,FAP51,fap 52,FAP53_stretch_l_cornerlip_o,stretch_r_cornerlip,Viseme_Select1,FAP2_expression_intensity1\n"
+      "frame,time,FAP51,fap "
+      "52,FAP53_stretch_l_cornerlip_o,stretch_r_cornerlip,Viseme_Select1,FAP2_expression_intensity1\n"
       "7,0,1,2,3,4,5,6\n8,0.1,1.5,-2,+3e1,,0,63\n");
   ASSERT_EQ(sequence.frames.size(), 2u);
   EXPECT_DOUBLE_EQ(sequence.framesPerSecond, 10.0);
@@ -67,7 +68,8 @@ TEST(AnimationText, EveryFormatIsRecognisedByItsFirstLines) {
   EXPECT_EQ(recognised(""), AnimationFormat::FAP);
   EXPECT_EQ(recognised("frame,FAP3\n"), AnimationFormat::FAPCsv);
   EXPECT_EQ(recognised("# mien fap csv 1; fps=25\nframe,time\n"), AnimationFormat::FAPCsv);
-  EXPECT_EQ(recognised("frame, face_id, timestamp, confidence, success, AU01_r, AU02_r\n"), AnimationFormat::ActionUnits);
+  EXPECT_EQ(recognised("frame, face_id, timestamp, confidence, success, AU01_r, AU02_r\n"),
+            AnimationFormat::ActionUnits);
   EXPECT_EQ(recognised("Timecode,BlendshapeCount,EyeBlinkLeft\n"), AnimationFormat::Blendshapes);
   EXPECT_EQ(recognised("a,b,c\n"), std::nullopt);
 }

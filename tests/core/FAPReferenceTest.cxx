@@ -3,12 +3,12 @@
 #include <sstream>
 #include <vector>
 
+#include "FAPCsvParser.h"
+#include "FAPCsvWriter.h"
 #include "FAPFields.h"
 #include "FAPParser.h"
 #include "FAPTable.h"
 #include "FAPWriter.h"
-#include "FAPCsvParser.h"
-#include "FAPCsvWriter.h"
 #include "QuotedCells.h"
 #include "ReferenceData.h"
 #include "TextFile.h"

@@ -1,14 +1,14 @@
+#include <gtest/gtest.h>
+
+#include <random>
+#include <sstream>
+
 #include "ReferenceData.h"
 #include "RegionMap.h"
 #include "TableFit.h"
 #include "TableRecognition.h"
 #include "TableStatistics.h"
 #include "TextFile.h"
-
-#include <gtest/gtest.h>
-
-#include <random>
-#include <sstream>
 
 using namespace mien;
 
@@ -130,7 +130,8 @@ std::vector<TableSamples> noisyRecordings(double deviation, bool pupils, std::mt
     }
     for (PupilNormalisation* state : {&table.neutral, &table.expression}) {
       const double unit = pupils ? state->unit() : 0.0;
-      const Eigen::Vector3d left = moved(state->invert({1, 0, 0}), unit), right = moved(state->invert({-1, 0, 0}), unit);
+      const Eigen::Vector3d left = moved(state->invert({1, 0, 0}), unit),
+                            right = moved(state->invert({-1, 0, 0}), unit);
       EXPECT_EQ(state->set(left, right), "");
     }
     result.push_back(samplesOf(table, regions));

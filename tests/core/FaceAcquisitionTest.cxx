@@ -1,9 +1,8 @@
-#include "FaceAcquisition.h"
+#include <gtest/gtest.h>
 
+#include "FaceAcquisition.h"
 #include "FaceLayout.h"
 #include "SyntheticHead.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 
@@ -16,7 +15,9 @@ FaceCurves measured(int pointsPerCurve = 40) {
   return face;
 }
 
-bool isLipLine(int curve) { return curve == FaceLayout::upperLip || curve == FaceLayout::lowerLip; }
+bool isLipLine(int curve) {
+  return curve == FaceLayout::upperLip || curve == FaceLayout::lowerLip;
+}
 
 }  // namespace
 

@@ -1,9 +1,8 @@
-#include "FaceFeatures.h"
+#include <gtest/gtest.h>
 
 #include "FaceAcquisition.h"
+#include "FaceFeatures.h"
 #include "SyntheticHead.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 
@@ -25,21 +24,22 @@ struct MeasuredHead {
 
 TEST(FaceFeatures, AddressesGiveTheLandmarksTheyStandFor) {
   const MeasuredHead head;
-  const std::pair<const char*, int> expected[] = {{"8.3", 54}, {"8.4", 48}, {"4.1", 22}, {"4.2", 21}, {"4.5", 26},
+  const std::pair<const char*, int> expected[] = {{"8.3", 54}, {"8.4", 48}, {"4.1", 22},  {"4.2", 21},  {"4.5", 26},
                                                   {"3.7", 45}, {"3.8", 39}, {"3.11", 42}, {"3.12", 36}, {"8.10", 52}};
-  for (const auto& [id, landmark] : expected)
-    EXPECT_NEAR(head.at(id).x(), head.landmarks[landmark].x(), 1e-6) << id;
+  for (const auto& [id, landmark] : expected) EXPECT_NEAR(head.at(id).x(), head.landmarks[landmark].x(), 1e-6) << id;
 }
 
 TEST(FaceFeatures, PairsMirrorExactly) {
   const MeasuredHead head;
-  const std::pair<const char*, const char*> pairs[] = {{"4.1", "4.2"}, {"8.3", "8.4"}, {"3.7", "3.12"}, {"3.1", "3.2"},
-                                                       {"9.1", "9.2"}, {"5.1", "5.2"}, {"2.4", "2.5"}, {"8.10", "8.9"}};
+  const std::pair<const char*, const char*> pairs[] = {{"4.1", "4.2"}, {"8.3", "8.4"}, {"3.7", "3.12"},
+                                                       {"3.1", "3.2"}, {"9.1", "9.2"}, {"5.1", "5.2"},
+                                                       {"2.4", "2.5"}, {"8.10", "8.9"}};
   for (const auto& [left, right] : pairs) {
     EXPECT_EQ(head.face.feature(left)->v, 2.0 * M_PI - head.face.feature(right)->v);
     EXPECT_GT(head.at(left).x(), 0.0) << left;
   }
-  for (const char* id : {"2.1", "2.2", "2.3", "2.10", "8.1", "8.2", "9.3", "9.15"}) EXPECT_EQ(head.face.feature(id)->v, M_PI);
+  for (const char* id : {"2.1", "2.2", "2.3", "2.10", "8.1", "8.2", "9.3", "9.15"})
+    EXPECT_EQ(head.face.feature(id)->v, M_PI);
 }
 
 TEST(FaceFeatures, FollowTheConstraintsOfTheStandard) {

@@ -1,12 +1,13 @@
-#include "FaceLandmarks.h"
-
-#include "SyntheticHead.h"
-
 #include <gtest/gtest.h>
+
+#include "FaceLandmarks.h"
+#include "SyntheticHead.h"
 
 using namespace mien;
 
-TEST(FaceLandmarks, AnAverageFaceHasNoFault) { EXPECT_EQ(describeFault(ellipticHead().landmarks()), ""); }
+TEST(FaceLandmarks, AnAverageFaceHasNoFault) {
+  EXPECT_EQ(describeFault(ellipticHead().landmarks()), "");
+}
 
 TEST(FaceLandmarks, TheAxisMovesAndScalesWithTheFace) {
   FaceLandmarks landmarks = ellipticHead().landmarks();

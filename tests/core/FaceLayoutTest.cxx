@@ -1,6 +1,6 @@
-#include "FaceLayout.h"
-
 #include <gtest/gtest.h>
+
+#include "FaceLayout.h"
 
 using namespace mien;
 

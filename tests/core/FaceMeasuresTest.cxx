@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "BoxRatio.h"
 #include "CurveMiss.h"
 #include "FaceArea.h"
@@ -9,13 +11,12 @@
 #include "SurfaceDeparture.h"
 #include "WillmoreEnergy.h"
 
-#include <gtest/gtest.h>
-
 using namespace mien;
 
 namespace {
 
-/// A surface of revolution about y: radius and height, each with two derivatives, as functions of t; the whole face is t = 0 .. 1.
+/// A surface of revolution about y: radius and height, each with two derivatives, as functions of t; the whole face is
+/// t = 0 .. 1.
 struct Profile {
   Eigen::Vector3d radius, height;
 };
@@ -51,7 +52,9 @@ Profile torusProfile(double large, double small, double t) {
           {small * std::sin(s), small * w * std::cos(s), -small * w * w * std::sin(s)}};
 }
 
-Profile cylinderProfile(double radius, double height, double t) { return {{radius, 0, 0}, {-height * t, -height, 0}}; }
+Profile cylinderProfile(double radius, double height, double t) {
+  return {{radius, 0, 0}, {-height * t, -height, 0}};
+}
 
 /// A measure's error shrinks by 4 when rows are doubled, to below the tolerance.
 template <class Function>
@@ -143,7 +146,8 @@ TEST(FoldedCells, CellsWithoutAreaAreNoFolds) {
   const auto surface = [](int patch, double u, double v) {
     SurfaceJet jet;
     const double noise = 1e-9 * std::sin(1000.0 * (u + v));
-    jet.s << -80.0 * std::sin(v), patch == 3 ? -60.0 + noise : -20.0 * (patch > 3 ? patch - 1 + u : patch + u), -80.0 * std::cos(v);
+    jet.s << -80.0 * std::sin(v), patch == 3 ? -60.0 + noise : -20.0 * (patch > 3 ? patch - 1 + u : patch + u),
+        -80.0 * std::cos(v);
     return jet;
   };
   EXPECT_EQ(FoldedCells(FaceSample(surface, 110, 40), -1e9).count(), 0);
@@ -191,7 +195,8 @@ TEST(FaceLebesgue, OfFourCurvesIsThatOfTheLargestRate) {
   for (const double a : {0.5, 1.0, 5.0}) {
     const double rate = a * 6.0;
     const ModeOperator mode(rate, {{0, 0, 0}, {1.0 / 3.0, 0, 1}, {2.0 / 3.0, 0, 2}, {1, 0, 3}});
-    EXPECT_NEAR(faceLebesgueConstant(optionsFor("four-curve", a), HarmonicSplit(40, 5, true)), mode.lebesgueConstant(), 1e-12 * mode.lebesgueConstant());
+    EXPECT_NEAR(faceLebesgueConstant(optionsFor("four-curve", a), HarmonicSplit(40, 5, true)), mode.lebesgueConstant(),
+                1e-12 * mode.lebesgueConstant());
   }
 }
 
@@ -207,8 +212,9 @@ TEST(FaceLebesgue, OfTheSplineStaysBounded) {
 }
 
 TEST(ModeOperator, LebesgueConstantIsTheLargestOfManySamples) {
-  const auto lists = {faceSchemes()[0].pieces[0].conditions, faceSchemes()[1].pieces[0].conditions, faceSchemes()[2].pieces[0].conditions,
-                      faceSchemes()[3].pieces[0].conditions, faceSchemes()[4].pieces[0].conditions};
+  const auto lists = {faceSchemes()[0].pieces[0].conditions, faceSchemes()[1].pieces[0].conditions,
+                      faceSchemes()[2].pieces[0].conditions, faceSchemes()[3].pieces[0].conditions,
+                      faceSchemes()[4].pieces[0].conditions};
   for (const auto& conditions : lists)
     for (const double rate : {0.0, 0.3, 2.0, 6.0, 17.0, 60.0, 200.0}) {
       const ModeOperator mode(rate, conditions);
@@ -219,7 +225,8 @@ TEST(ModeOperator, LebesgueConstantIsTheLargestOfManySamples) {
         for (size_t j = 0; j < conditions.size(); ++j) sum += conditions[j].derivative == 0 ? std::abs(row[j]) : 0.0;
         largest = std::max(largest, sum);
       }
-      EXPECT_NEAR(mode.lebesgueConstant() / largest, 1.0, 2e-6 * (1.0 + rate * rate * 1e-2)) << rate << " " << conditions.size();
+      EXPECT_NEAR(mode.lebesgueConstant() / largest, 1.0, 2e-6 * (1.0 + rate * rate * 1e-2))
+          << rate << " " << conditions.size();
       EXPECT_GE(mode.lebesgueConstant(), largest * (1.0 - 1e-12));
     }
 }

@@ -1,9 +1,8 @@
-#include "FaceProfiles.h"
+#include <gtest/gtest.h>
 
 #include "FaceLayout.h"
+#include "FaceProfiles.h"
 #include "SyntheticHead.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 
@@ -18,8 +17,10 @@ TEST(FaceProfiles, CurvesNeverCrossAtAnyAzimuth) {
   for (double azimuth = -180.0; azimuth <= 180.0; azimuth += 0.5)
     for (int c = 0; c + 1 < FaceLayout::curveCount; ++c) {
       const double gap = profiles.height(c, azimuth * degree) - profiles.height(c + 1, azimuth * degree);
-      if (c == FaceLayout::upperLip) EXPECT_EQ(gap, 0.0);
-      else EXPECT_GT(gap, 1.0) << FaceLayout::curveName(c) << " at " << azimuth;
+      if (c == FaceLayout::upperLip)
+        EXPECT_EQ(gap, 0.0);
+      else
+        EXPECT_GT(gap, 1.0) << FaceLayout::curveName(c) << " at " << azimuth;
     }
 }
 

@@ -1,15 +1,15 @@
-#include "FaceSeams.h"
+#include <gtest/gtest.h>
 
+#include "FaceSeams.h"
 #include "PDESurface.h"
 #include "RandomCurves.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 
 namespace {
 
-FaceSeams seamsOf(const std::string& scheme, int modes, const FaceCurves& face, int columns = FaceSeams::defaultColumns) {
+FaceSeams seamsOf(const std::string& scheme, int modes, const FaceCurves& face,
+                  int columns = FaceSeams::defaultColumns) {
   FaceSurfaceOptions options;
   options.scheme = scheme;
   options.modes = modes;
@@ -117,7 +117,8 @@ RowMajor<double> gridOfSides(const FaceSurfaceOptions& options, const FaceCurves
 TEST(FaceSeams, JetsAreThoseOfTheSurfaceOnEitherSide) {
   const FaceCurves face = randomFace();
   constexpr std::array<std::array<int, 2>, 6> orders = {{{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
-  constexpr Eigen::Vector3d SurfaceJet::* members[] = {&SurfaceJet::s, &SurfaceJet::su, &SurfaceJet::sv, &SurfaceJet::suu, &SurfaceJet::suv, &SurfaceJet::svv};
+  constexpr Eigen::Vector3d SurfaceJet::*members[] = {&SurfaceJet::s,   &SurfaceJet::su,  &SurfaceJet::sv,
+                                                      &SurfaceJet::suu, &SurfaceJet::suv, &SurfaceJet::svv};
   for (const std::string scheme : {"four-curve", "spline"}) {
     FaceSurfaceOptions options;
     options.scheme = scheme;
@@ -129,8 +130,11 @@ TEST(FaceSeams, JetsAreThoseOfTheSurfaceOnEitherSide) {
       for (int seam = 0; seam < FaceSeams::seamCount; ++seam)
         for (int side = 0; side < 2; ++side)
           for (int column = 0; column < 100; ++column)
-            EXPECT_LE((seams.jet(seam, side, column).*members[i] - grid.block<1, 3>(2 * seam + 1 + side, 3 * column).transpose()).norm(),
-                      1e-12 * grid.cwiseAbs().maxCoeff()) << scheme << " " << FaceSeams::name(seam);
+            EXPECT_LE((seams.jet(seam, side, column).*members[i] -
+                       grid.block<1, 3>(2 * seam + 1 + side, 3 * column).transpose())
+                          .norm(),
+                      1e-12 * grid.cwiseAbs().maxCoeff())
+                << scheme << " " << FaceSeams::name(seam);
     }
   }
 }

@@ -1,11 +1,11 @@
-#include "FaceState.h"
-#include "FaceStateText.h"
-
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <limits>
 #include <vector>
+
+#include "FaceState.h"
+#include "FaceStateText.h"
 
 namespace {
 
@@ -16,7 +16,9 @@ using Change = std::function<void(FaceState&)>;
 const std::vector<Change> changes = {
     [](FaceState& s) { s.curvesFile = "a folder/Gesicht ä.vtp"; },
     [](FaceState& s) { s.edits = {mien::CurveEdit()}; },
-    [](FaceState& s) { s.edits = {{22, 1.0 / 3.0, {0.1, -0.2, 0.3}, 0.7, 3, true}, {5, 2.9, {1.0, 2.0, 3.0}, 0.5, 0, false}}; },
+    [](FaceState& s) {
+      s.edits = {{22, 1.0 / 3.0, {0.1, -0.2, 0.3}, 0.7, 3, true}, {5, 2.9, {1.0, 2.0, 3.0}, 0.5, 0, false}};
+    },
     [](FaceState& s) { s.surface.scheme = "derivative"; },
     [](FaceState& s) { s.surface.smoothing[8] = 0.1 + 0.2; },
     [](FaceState& s) { s.surface.modes = 7; },
@@ -31,9 +33,13 @@ const std::vector<Change> changes = {
     [](FaceState& s) { s.fapFile = "x.fap", s.frameChoice = FaceState::FrameChoice::Number, s.frame = -40; },
     [](FaceState& s) { s.fapFile = "x.fap", s.frameChoice = FaceState::FrameChoice::Time, s.frame = 1.0 / 25.0; },
     [](FaceState& s) { s.fapFile = "x.fap", s.interpolateFrames = true; },
-    [](FaceState& s) { s.fapValues = {{53, 200.5}, {54, -1e-300}}; },
+    [](FaceState& s) {
+      s.fapValues = {{53, 200.5}, {54, -1e-300}};
+    },
     [](FaceState& s) { s.animationTable = "my table.json"; },
-    [](FaceState& s) { s.expressions = {{"joy", 0.8}, {"surprise", 1.0 / 3.0}}; },
+    [](FaceState& s) {
+      s.expressions = {{"joy", 0.8}, {"surprise", 1.0 / 3.0}};
+    },
     [](FaceState& s) { s.deformation.table = "joy"; },
     [](FaceState& s) { s.deformation.strength = -0.1; },
     [](FaceState& s) { s.deformation.smooth = false; },
@@ -57,7 +63,9 @@ TEST(FaceState, EveryPropertySurvivesItsTextForm) {
   }
 }
 
-TEST(FaceState, DefaultsAreSound) { EXPECT_EQ(mien::describeFault(FaceState(), 40), ""); }
+TEST(FaceState, DefaultsAreSound) {
+  EXPECT_EQ(mien::describeFault(FaceState(), 40), "");
+}
 
 TEST(FaceState, MembersLeftOutHaveTheirDefaults) {
   FaceState state;
@@ -95,7 +103,8 @@ TEST(FaceState, BadTextIsRefusedAndLeavesTheStateAlone) {
   kept.rows = 83;
   for (const auto& [text, part] : cases) {
     FaceState state = kept;
-    EXPECT_NE(mien::readFaceState(text, state).find(part), std::string::npos) << text << " -> " << mien::readFaceState(text, state);
+    EXPECT_NE(mien::readFaceState(text, state).find(part), std::string::npos)
+        << text << " -> " << mien::readFaceState(text, state);
     EXPECT_EQ(state, kept);
   }
 }
@@ -106,7 +115,11 @@ TEST(FaceState, ValuesOutOfRangeAreNamed) {
       {[](FaceState& s) { s.surface.scheme = "soap"; }, "four-curve"},
       {[](FaceState& s) { s.surface.smoothing[3] = 0; }, "a = 0"},
       {[](FaceState& s) { s.surface.modes = 21; }, "0 .. 20"},
-      {[](FaceState& s) { s.surface.scheme = "four-curve"; s.surface.smoothing.fill(50); }, "250"},
+      {[](FaceState& s) {
+         s.surface.scheme = "four-curve";
+         s.surface.smoothing.fill(50);
+       },
+       "250"},
       {[](FaceState& s) { s.rows = 10; }, "at least 11x3"},
       {[](FaceState& s) { s.columns = 2; }, "at least 11x3"},
       {[](FaceState& s) { s.rows = s.columns = 2000000000; }, "too fine"},

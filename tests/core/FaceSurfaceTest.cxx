@@ -1,8 +1,7 @@
-#include "FaceSurface.h"
-
-#include "SharedDerivatives.h"
-
 #include <gtest/gtest.h>
+
+#include "FaceSurface.h"
+#include "SharedDerivatives.h"
 
 using namespace mien;
 
@@ -47,7 +46,8 @@ TEST(RowLayout, EverySeamIsARowOtherwise) {
     EXPECT_EQ(static_cast<int>(layout.rows().size()), rows);
     for (const std::string& name : layout.missedCurves()) {
       const int curve = FaceLayout::curveIndex(name);
-      for (const int first : FaceLayout::firstCurve) EXPECT_TRUE(curve != first && curve != first + 3) << name << " at " << rows;
+      for (const int first : FaceLayout::firstCurve)
+        EXPECT_TRUE(curve != first && curve != first + 3) << name << " at " << rows;
     }
   }
 }
@@ -96,7 +96,8 @@ TEST(SharedDerivatives, AreExactForPolynomialsAndTheClosedMouthIsOneChain) {
     quadratic[c] = 2.0 + u + 0.5 * u * u;
     slope[c] = 1.0 + u;
   }
-  const Eigen::VectorXd first = sharedDerivatives(differenceDerivatives, 1, {}) * quadratic, second = sharedDerivatives(differenceDerivatives, 2, {}) * quadratic;
+  const Eigen::VectorXd first = sharedDerivatives(differenceDerivatives, 1, {}) * quadratic,
+                        second = sharedDerivatives(differenceDerivatives, 2, {}) * quadratic;
   for (int c = 1; c + 1 < FaceLayout::curveCount; ++c) EXPECT_NEAR(first[c], slope[c], 1e-12);
   for (int c = 0; c < FaceLayout::curveCount; ++c) EXPECT_NEAR(second[c], 1.0, 1e-11);
   EXPECT_EQ(first[FaceLayout::upperLip], first[FaceLayout::lowerLip]);

@@ -22,7 +22,9 @@ FAPFrame imported(const std::string& column, CaptureKind kind) {
   return sequence.frames.empty() ? FAPFrame() : sequence.frames[0];
 }
 
-int signOf(double value) { return (value > 0.0) - (value < 0.0); }
+int signOf(double value) {
+  return (value > 0.0) - (value < 0.0);
+}
 
 /// Rows of the reference that the map leaves out, with a reason: "AU18 8".
 std::set<std::string> leftOut() {
@@ -96,7 +98,8 @@ TEST(FacialActionMap, TheSidesMirrorEachOtherAndTogetherAreTheWhole) {
     const CaptureAction* right = findAction(map.blendshapes, shape.name.substr(0, left) + "Right");
     ASSERT_NE(right, nullptr) << shape.name;
     std::map<int, double> mirror;
-    for (const auto& [fap, value] : shape.faps) mirror[fapDefinition(fap).mirrorPartner] = fapDefinition(fap).mirrorSign * value;
+    for (const auto& [fap, value] : shape.faps)
+      mirror[fapDefinition(fap).mirrorPartner] = fapDefinition(fap).mirrorSign * value;
     EXPECT_EQ(mirror, (std::map<int, double>(right->faps.begin(), right->faps.end()))) << shape.name;
   }
 }
@@ -111,7 +114,8 @@ TEST(FacialActionMap, BlendshapesMoveEveryFAPOfTheReferenceInItsDirection) {
   }
 }
 
-/// Of 422 rows 347 are checked; the others contradict each other or move the lips of a nodding head, and the map lists them.
+/// Of 422 rows 347 are checked; the others contradict each other or move the lips of a nodding head, and the map lists
+/// them.
 TEST(FacialActionMap, ActionUnitsMoveEveryFAPOfTheReferenceInItsDirection) {
   MIEN_REQUIRE_REFERENCE("mpeg4/facs_map.csv");
   const std::set<std::string> missing = leftOut();

@@ -1,6 +1,6 @@
-#include "RegionMap.h"
-
 #include <random>
+
+#include "RegionMap.h"
 
 using namespace mien;
 

@@ -1,9 +1,8 @@
-#include "FrameTimes.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "FrameTimes.h"
 #include "TimeCode.h"
 
 using namespace mien;
@@ -82,9 +81,11 @@ TEST(TimeCode, ReadsWhatCamerasWrite) {
   EXPECT_DOUBLE_EQ(parseTimeCode("0:00:01.5")->seconds, 1.5);
   EXPECT_TRUE(parseTimeCode("01:00:00;02")->dropsNumbers);
   const double rate = 30000.0 / 1001.0;
-  EXPECT_NEAR(secondsOf(*parseTimeCode("00:01:00;02"), rate) - secondsOf(*parseTimeCode("00:00:59;29"), rate), 1.0 / rate, 1e-9);
+  EXPECT_NEAR(secondsOf(*parseTimeCode("00:01:00;02"), rate) - secondsOf(*parseTimeCode("00:00:59;29"), rate),
+              1.0 / rate, 1e-9);
   EXPECT_NEAR(secondsOf(*parseTimeCode("01:00:00;00"), rate), 3600.0, 0.01);
-  for (const char* text : {"", "12", "12:34", "1:2:3:4:5", "12:34:60", "12:61:00:00", "a:b:c:d", "12:34:56:-1", "1.5:00:00:00", "::::"})
+  for (const char* text :
+       {"", "12", "12:34", "1:2:3:4:5", "12:34:60", "12:61:00:00", "a:b:c:d", "12:34:56:-1", "1.5:00:00:00", "::::"})
     EXPECT_FALSE(parseTimeCode(text).has_value()) << text;
 }
 

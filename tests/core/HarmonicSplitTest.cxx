@@ -1,10 +1,9 @@
-#include "HarmonicSplit.h"
-
-#include "ClosedCurves.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "ClosedCurves.h"
+#include "HarmonicSplit.h"
 
 using namespace mien;
 
@@ -12,7 +11,8 @@ TEST(HarmonicSplit, AnalysisAndSynthesisAreInverse) {
   for (const int k : {8, 10, 40, 64}) {
     const HarmonicSplit split(k, 3, true);
     const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(k, 0.0, 2.0 * M_PI * (k - 1) / k);
-    EXPECT_LE((split.synthesis(v, 0) * split.analysis() - Eigen::MatrixXd::Identity(k, k)).cwiseAbs().maxCoeff(), 1e-13);
+    EXPECT_LE((split.synthesis(v, 0) * split.analysis() - Eigen::MatrixXd::Identity(k, k)).cwiseAbs().maxCoeff(),
+              1e-13);
   }
 }
 

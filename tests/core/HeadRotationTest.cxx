@@ -1,10 +1,9 @@
-#include "HeadRotation.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "FAPTable.h"
+#include "HeadRotation.h"
 #include "SyntheticFace.h"
 
 using namespace mien;

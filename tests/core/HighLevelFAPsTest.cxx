@@ -1,9 +1,8 @@
-#include "HighLevelFAPs.h"
-
 #include <gtest/gtest.h>
 
 #include "DataFile.h"
 #include "FAPTable.h"
+#include "HighLevelFAPs.h"
 
 using namespace mien;
 

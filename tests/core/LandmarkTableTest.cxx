@@ -1,10 +1,9 @@
-#include "LandmarkTable.h"
-
-#include "SyntheticHead.h"
-
 #include <gtest/gtest.h>
 
 #include <sstream>
+
+#include "LandmarkTable.h"
+#include "SyntheticHead.h"
 
 using namespace mien;
 
@@ -15,9 +14,12 @@ std::string landmarkFile(const std::string& header, bool vertices, int changed =
   std::ostringstream file;
   file << (changed == 1 ? text : header) << "\n";
   for (int i = 0; i < 68; ++i) {
-    if (changed == i + 2) file << text << "\n";
-    else if (vertices) file << i << "," << 2 * i << "\r\n";
-    else file << i << "," << i << ".5,2,-3e1\n";
+    if (changed == i + 2)
+      file << text << "\n";
+    else if (vertices)
+      file << i << "," << 2 * i << "\r\n";
+    else
+      file << i << "," << i << ".5,2,-3e1\n";
   }
   return file.str();
 }
@@ -60,7 +62,8 @@ TEST(LandmarkTable, RefusesAVertexTheMeshDoesNotHave) {
   LandmarkTable table;
   ASSERT_EQ(parseLandmarks(landmarkFile("landmark,vertex", true, 5, "3,99999999"), table), "");
   FaceLandmarks landmarks;
-  EXPECT_NE(placeLandmarks(table, ellipticHead().mesh(), landmarks).find("landmark 3 is vertex 99999999"), std::string::npos);
+  EXPECT_NE(placeLandmarks(table, ellipticHead().mesh(), landmarks).find("landmark 3 is vertex 99999999"),
+            std::string::npos);
 }
 
 TEST(LandmarkTable, NamesTheLineAtFault) {

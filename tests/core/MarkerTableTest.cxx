@@ -1,6 +1,6 @@
-#include "MarkerTable.h"
-
 #include <gtest/gtest.h>
+
+#include "MarkerTable.h"
 
 using namespace mien;
 
@@ -22,9 +22,10 @@ void expectFault(const std::string& text, const std::string& start, const std::s
 
 TEST(MarkerTable, ReadsColumnsByName) {
   MarkerTable table;
-  ASSERT_EQ(table.parse("region,expression_y,expression_x,marker,neutral_y,neutral_x\r\n,41,31,pupil_left,40,30\r\n,41,-29,"
-                        "pupil_right,40,-30\r\n16,-70,1,chin,-60,0\r\n"),
-            "");
+  ASSERT_EQ(
+      table.parse("region,expression_y,expression_x,marker,neutral_y,neutral_x\r\n,41,31,pupil_left,40,30\r\n,41,-29,"
+                  "pupil_right,40,-30\r\n16,-70,1,chin,-60,0\r\n"),
+      "");
   ASSERT_EQ(table.markers.size(), 1u);
   EXPECT_EQ(table.markers[0].region, 16);
   EXPECT_EQ(table.markers[0].line, 4);
@@ -50,8 +51,9 @@ TEST(MarkerTable, TakesImagesAndMirroredOnes) {
   ASSERT_EQ(table.parse(header + "L,100,200,100,200\nR,160,200,160,200\nchin,130,300,130,310\n", options), "");
   EXPECT_NEAR(table.neutral.apply(table.markers[0].neutral).y(), -100.0 / 30.0, 1e-12);
   options.yDown = false;
-  EXPECT_NE(table.parse(header + "L,100,200,100,200\nR,160,200,160,200\nchin,130,300,130,310\n", options).find("--y-down"),
-            std::string::npos);
+  EXPECT_NE(
+      table.parse(header + "L,100,200,100,200\nR,160,200,160,200\nchin,130,300,130,310\n", options).find("--y-down"),
+      std::string::npos);
 }
 
 TEST(MarkerTable, NamesTheLineAtFault) {

@@ -1,9 +1,8 @@
-#include "MeshCleaning.h"
+#include <gtest/gtest.h>
 
 #include "LengthUnit.h"
+#include "MeshCleaning.h"
 #include "SyntheticHead.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 

@@ -1,12 +1,11 @@
-#include "ModeOperator.h"
-
-#include "CsvRows.h"
-#include "FaceScheme.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
+
+#include "CsvRows.h"
+#include "FaceScheme.h"
+#include "ModeOperator.h"
 
 using namespace mien;
 
@@ -83,11 +82,14 @@ TEST(ModeOperator, GivesExactSolutionsBack) {
   for (const auto& [name, conditions] : conditionLists())
     for (const double rate : {1e-3, 0.5, 3.0, 5.5, 15.0, 40.0}) {
       const ModeOperator mode(rate, conditions);
-      const auto exact = [rate](double u, int d) { return std::pow(-rate, d) * std::exp(-rate * u) + std::pow(rate, d) * std::exp(-rate * (1 - u)); };
+      const auto exact = [rate](double u, int d) {
+        return std::pow(-rate, d) * std::exp(-rate * u) + std::pow(rate, d) * std::exp(-rate * (1 - u));
+      };
       Eigen::VectorXd data(conditions.size());
       for (size_t i = 0; i < conditions.size(); ++i) data[i] = exact(conditions[i].u, conditions[i].derivative);
       const double tolerance = 1e-12 * (1.0 + mode.lebesgueConstant());
-      for (double u = 0.0; u <= 1.0; u += 0.01) EXPECT_NEAR(mode.row(u).dot(data), exact(u, 0), tolerance) << name << " rate " << rate;
+      for (double u = 0.0; u <= 1.0; u += 0.01)
+        EXPECT_NEAR(mode.row(u).dot(data), exact(u, 0), tolerance) << name << " rate " << rate;
     }
 }
 
@@ -97,8 +99,7 @@ TEST(ModeOperator, EndConditionsHoldAtVeryLargeRates) {
       const ModeOperator mode(rate, conditions);
       ASSERT_TRUE(mode.solvable());
       EXPECT_LE(mode.lebesgueConstant(), 1.0 + 1e-9);
-      for (const Condition& c : conditions)
-        EXPECT_NEAR(mode.row(c.u, 0)[0], c.u == 0.0 ? 1.0 : 0.0, 1e-12);
+      for (const Condition& c : conditions) EXPECT_NEAR(mode.row(c.u, 0)[0], c.u == 0.0 ? 1.0 : 0.0, 1e-12);
       // Near u = 0 the solution for data (1, 0) at u = 0 is (1 + r u) e^(-r u) at order 4.
       if (conditions.size() == 4) {
         EXPECT_NEAR(mode.row(0.5 / rate)[0], 1.5 * std::exp(-0.5), 1e-12);
@@ -107,7 +108,8 @@ TEST(ModeOperator, EndConditionsHoldAtVeryLargeRates) {
 }
 
 TEST(ModeOperator, LebesgueConstantsOfFourCurvesAreThePublishedOnes) {
-  const std::map<double, double> expected = {{1, 1.63}, {5, 1.83}, {6, 1.99}, {10, 3.61}, {20, 43.8}, {40, 1.7e4}, {100, 3.3e12}};
+  const std::map<double, double> expected = {{1, 1.63},  {5, 1.83},   {6, 1.99},    {10, 3.61},
+                                             {20, 43.8}, {40, 1.7e4}, {100, 3.3e12}};
   for (const auto& [rate, constant] : expected)
     EXPECT_NEAR(ModeOperator(rate, values()).lebesgueConstant() / constant, 1.0, rate < 30 ? 0.003 : 0.03) << rate;
 }

@@ -1,9 +1,8 @@
-#include "ModeSpectrum.h"
+#include <gtest/gtest.h>
 
+#include "ModeSpectrum.h"
 #include "PDESurface.h"
 #include "RandomCurves.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 
@@ -31,7 +30,8 @@ ModeSpectrum spectrumOf(const FaceSurfaceOptions& options, const FaceCurves& fac
 }
 
 RowMajor<double> surfaceOf(const FaceSurfaceOptions& options, const FaceCurves& face, int columnCount = 40) {
-  PDESurface<double> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(face.curves.pointsPerCurve, options.modes, options.remainder),
+  PDESurface<double> surface(facePieces(options, RowLayout(rows, false)),
+                             HarmonicSplit(face.curves.pointsPerCurve, options.modes, options.remainder),
                              FaceLayout::curveCount, columns(columnCount));
   surface.setCurves(face.curves);
   RowMajor<double> grid(rows, 3 * columnCount);
@@ -39,7 +39,7 @@ RowMajor<double> surfaceOf(const FaceSurfaceOptions& options, const FaceCurves& 
   return grid;
 }
 
-double sum(const std::vector<ModeMeasures>& modes, double ModeMeasures::* value) {
+double sum(const std::vector<ModeMeasures>& modes, double ModeMeasures::*value) {
   double total = 0.0;
   for (const ModeMeasures& mode : modes) total += mode.*value;
   return total;
@@ -55,7 +55,8 @@ TEST(ModeSpectrum, ContributionsSumToTheSurface) {
       RowMajor<double> total = spectrum.contribution(0);
       for (int part = 1; part < spectrum.partCount(); ++part) total += spectrum.contribution(part);
       const RowMajor<double> surface = surfaceOf(withModes(modes, true, scheme.name), face);
-      EXPECT_LE((total - surface).cwiseAbs().maxCoeff(), 1e-12 * surface.cwiseAbs().maxCoeff()) << scheme.name << " N " << modes;
+      EXPECT_LE((total - surface).cwiseAbs().maxCoeff(), 1e-12 * surface.cwiseAbs().maxCoeff())
+          << scheme.name << " N " << modes;
     }
 }
 
@@ -105,7 +106,8 @@ double rmsOf(const RowMajor<double>& grid) {
   const auto layout = RowLayout(rows, false).rows();
   double sum = 0.0;
   for (int row = 1; row < rows; ++row)
-    sum += (layout[row].faceU - layout[row - 1].faceU) * 0.5 * (grid.row(row).squaredNorm() + grid.row(row - 1).squaredNorm()) / 120.0;
+    sum += (layout[row].faceU - layout[row - 1].faceU) * 0.5 *
+           (grid.row(row).squaredNorm() + grid.row(row - 1).squaredNorm()) / 120.0;
   return std::sqrt(sum);
 }
 
@@ -129,7 +131,8 @@ TEST(ModeSpectrum, KnownHarmonicsComeOutWithTheirAmplitude) {
   for (int c = 0; c < FaceLayout::curveCount; ++c)
     for (int j = 0; j < 40; ++j) {
       const double v = 2.0 * M_PI * j / 40;
-      face.curves.curve(c).row(j) << -80.0 * std::sin(v), 3.0 * std::cos(4 * v), -80.0 * std::cos(v) + 0.5 * std::sin(9 * v);
+      face.curves.curve(c).row(j) << -80.0 * std::sin(v), 3.0 * std::cos(4 * v),
+          -80.0 * std::cos(v) + 0.5 * std::sin(9 * v);
     }
   const auto modes = spectrumOf(withModes(10), face, 720).measures();
   EXPECT_NEAR(modes[0].rms, 0.0, 1e-12);

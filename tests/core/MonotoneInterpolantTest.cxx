@@ -1,9 +1,9 @@
-#include "MonotoneInterpolant.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "MonotoneInterpolant.h"
 
 using mien::MonotoneInterpolant;
 
@@ -15,7 +15,8 @@ TEST(MonotoneInterpolant, MeetsItsKnotsInAnyOrder) {
 }
 
 TEST(MonotoneInterpolant, NeverLeavesTheRangeOfItsNeighbours) {
-  const std::vector<std::pair<double, double>> knots = {{0, 0}, {1, 10}, {1.5, 10.5}, {4, 11}, {4.2, -3}, {6, -3}, {9, 0}};
+  const std::vector<std::pair<double, double>> knots = {{0, 0},    {1, 10}, {1.5, 10.5}, {4, 11},
+                                                        {4.2, -3}, {6, -3}, {9, 0}};
   const MonotoneInterpolant f(knots);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i)
     for (int k = 0; k <= 100; ++k) {

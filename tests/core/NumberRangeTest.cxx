@@ -1,8 +1,8 @@
-#include "NumberRange.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "NumberRange.h"
 
 using mien::parseNumberRange;
 
@@ -35,11 +35,20 @@ TEST(NumberRange, StepsAreEvenAndTheEndsAsWritten) {
 }
 
 TEST(NumberRange, FaultsNameThePartAndKeepTheNumbers) {
-  const std::vector<std::pair<std::string, std::string>> faults = {
-      {"", "neither"}, {"1,,2", "neither"}, {"1,two", "'two'"}, {"1:2", "'1:2'"}, {"1:2:3:4", "neither"},
-      {"1:2:x", "not a range"}, {"1:2:1", "2 .. 10000"}, {"1:2:-5", "2 .. 10000"}, {"1:2:99999999999999999999", "2 .. 10000"},
-      {"0:1:5log", "above 0"}, {"-1:1:5log", "above 0"}, {"1:inf:5", "not a range"}, {"1:2:3.5", "not a range"},
-      {"1:2:10000,1:2:10000", "more than 10000"}};
+  const std::vector<std::pair<std::string, std::string>> faults = {{"", "neither"},
+                                                                   {"1,,2", "neither"},
+                                                                   {"1,two", "'two'"},
+                                                                   {"1:2", "'1:2'"},
+                                                                   {"1:2:3:4", "neither"},
+                                                                   {"1:2:x", "not a range"},
+                                                                   {"1:2:1", "2 .. 10000"},
+                                                                   {"1:2:-5", "2 .. 10000"},
+                                                                   {"1:2:99999999999999999999", "2 .. 10000"},
+                                                                   {"0:1:5log", "above 0"},
+                                                                   {"-1:1:5log", "above 0"},
+                                                                   {"1:inf:5", "not a range"},
+                                                                   {"1:2:3.5", "not a range"},
+                                                                   {"1:2:10000,1:2:10000", "more than 10000"}};
   for (const auto& [text, word] : faults) {
     std::vector<double> numbers = {7.0};
     const std::string fault = parseNumberRange(text, numbers);

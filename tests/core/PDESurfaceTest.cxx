@@ -1,15 +1,14 @@
-#include "PDESurface.h"
-
-#include "FaceLebesgue.h"
-#include "FaceSurface.h"
-#include "RandomCurves.h"
-#include "SharedDerivatives.h"
-#include "SurfaceNormals.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
+
+#include "FaceLebesgue.h"
+#include "FaceSurface.h"
+#include "PDESurface.h"
+#include "RandomCurves.h"
+#include "SharedDerivatives.h"
+#include "SurfaceNormals.h"
 
 using namespace mien;
 
@@ -30,9 +29,15 @@ RowMajor<double> evaluate(const PDESurface<double>& surface, int orderU, int ord
   return grid;
 }
 
-RowMajor<double> positions(const PDESurface<double>& surface) { return evaluate(surface, 0, 0); }
-RowMajor<double> derivativesU(const PDESurface<double>& surface) { return evaluate(surface, 1, 0); }
-RowMajor<double> derivativesV(const PDESurface<double>& surface) { return evaluate(surface, 0, 1); }
+RowMajor<double> positions(const PDESurface<double>& surface) {
+  return evaluate(surface, 0, 0);
+}
+RowMajor<double> derivativesU(const PDESurface<double>& surface) {
+  return evaluate(surface, 1, 0);
+}
+RowMajor<double> derivativesV(const PDESurface<double>& surface) {
+  return evaluate(surface, 0, 1);
+}
 
 /// The row of a 27 k + 2 grid that lies on a curve.
 int rowOfCurve(int curve, int rows) {
@@ -51,7 +56,8 @@ double largestMiss(const RowMajor<double>& grid, int row, const ClosedCurves& cu
 
 namespace {
 
-/// The largest distance between the curves of a four-curve face and its surface, over what the solution's condition allows.
+/// The largest distance between the curves of a four-curve face and its surface, over what the solution's condition
+/// allows.
 double fourCurveMiss(double a, int modes, int pointsPerCurve) {
   const FaceCurves face = randomFace(pointsPerCurve);
   FaceSurfaceOptions options;
@@ -74,7 +80,8 @@ TEST(PDESurface, FourCurveFaceMeetsEveryCurveAtEverySampleForEveryNumberOfModes)
   for (const int pointsPerCurve : {16, 40, 64})
     for (const double a : {0.1, 1.0, 5.0})
       for (int modes = 0; modes <= pointsPerCurve / 2; ++modes)
-        EXPECT_LE(fourCurveMiss(a, modes, pointsPerCurve), 1e-12) << "K " << pointsPerCurve << " a " << a << " N " << modes;
+        EXPECT_LE(fourCurveMiss(a, modes, pointsPerCurve), 1e-12)
+            << "K " << pointsPerCurve << " a " << a << " N " << modes;
 }
 
 TEST(PDESurface, WithoutTheRemainderCurvesAreMissed) {
@@ -115,8 +122,8 @@ TEST(PDESurface, ExactSolutionComesBackBetweenCurvesAndSamples) {
   for (const double a : {0.3, 1.0, 4.0}) {
     const auto exact = [a](double u, double v) {
       const double n2 = 2.0 * a, n5 = 5.0 * a;
-      return Eigen::RowVector3d(std::exp(-n2 * u) * (1 + 3 * u) * std::cos(2 * v), u * std::exp(n5 * (u - 1)) * std::sin(5 * v),
-                                4 + 3 * u - u * u + 2 * u * u * u);
+      return Eigen::RowVector3d(std::exp(-n2 * u) * (1 + 3 * u) * std::cos(2 * v),
+                                u * std::exp(n5 * (u - 1)) * std::sin(5 * v), 4 + 3 * u - u * u + 2 * u * u * u);
     };
     ClosedCurves curves(4, 16);
     for (int c = 0; c < 4; ++c)
@@ -132,7 +139,8 @@ TEST(PDESurface, ExactSolutionComesBackBetweenCurvesAndSamples) {
     const double tolerance = 1e-12 * (1 + lebesgueConstant(piece, HarmonicSplit(16, 5, true)));
     for (int row = 0; row < grid.rows(); ++row)
       for (int i = 0; i < 37; ++i)
-        EXPECT_LE((grid.block<1, 3>(row, 3 * i) - exact(piece.u[row], columns(37)[i])).cwiseAbs().maxCoeff(), tolerance);
+        EXPECT_LE((grid.block<1, 3>(row, 3 * i) - exact(piece.u[row], columns(37)[i])).cwiseAbs().maxCoeff(),
+                  tolerance);
   }
 }
 
@@ -163,9 +171,11 @@ TEST(PDESurface, NormalsPointOutwards) {
     }
   PDESurface<double> surface = makeFace({}, 56, 40, columns(40));
   surface.setCurves(face.curves);
-  RowMajor<double> s = positions(surface), su = derivativesU(surface), sv = derivativesV(surface), normals(s.rows(), s.cols());
+  RowMajor<double> s = positions(surface), su = derivativesU(surface), sv = derivativesV(surface),
+                   normals(s.rows(), s.cols());
   using Grid = PDESurface<double>::Grid;
-  surfaceNormals<double>(Grid(su.data(), su.rows(), su.cols()), Grid(sv.data(), sv.rows(), sv.cols()), Grid(normals.data(), s.rows(), s.cols()));
+  surfaceNormals<double>(Grid(su.data(), su.rows(), su.cols()), Grid(sv.data(), sv.rows(), sv.cols()),
+                         Grid(normals.data(), s.rows(), s.cols()));
   for (int row = 0; row < s.rows(); ++row)
     for (int i = 0; i < 40; ++i) {
       const Eigen::RowVector3d outwards(s(row, 3 * i), 0.0, s(row, 3 * i + 2));
@@ -179,7 +189,10 @@ TEST(PDESurface, IsLinearAndMovesWithItsCurves) {
   sum.points = 2.0 * a.curves.points - b.curves.points;
   sum.points.rowwise() += Eigen::RowVector3d(10, -20, 30);
   PDESurface<double> surface = makeFace({}, 56, 40, columns(40));
-  const auto evaluate = [&](const ClosedCurves& curves) { surface.setCurves(curves); return positions(surface); };
+  const auto evaluate = [&](const ClosedCurves& curves) {
+    surface.setCurves(curves);
+    return positions(surface);
+  };
   RowMajor<double> expected = 2.0 * evaluate(a.curves) - evaluate(b.curves);
   for (int i = 0; i < 40; ++i) expected.middleCols<3>(3 * i).rowwise() += Eigen::RowVector3d(10, -20, 30);
   EXPECT_LE((evaluate(sum) - expected).cwiseAbs().maxCoeff(), 1e-11);
@@ -201,7 +214,8 @@ PDESurface<double> makeEnds(const FaceSurfaceOptions& options, const Eigen::Vect
 double largestJump(const PDESurface<double>& surface, int orderU, int orderV) {
   const RowMajor<double> grid = evaluate(surface, orderU, orderV);
   double jump = 0.0;
-  for (int row = 1; row + 1 < grid.rows(); row += 2) jump = std::max(jump, (grid.row(row) - grid.row(row + 1)).cwiseAbs().maxCoeff());
+  for (int row = 1; row + 1 < grid.rows(); row += 2)
+    jump = std::max(jump, (grid.row(row) - grid.row(row + 1)).cwiseAbs().maxCoeff());
   return jump / grid.cwiseAbs().maxCoeff();
 }
 
@@ -219,7 +233,8 @@ TEST(PDESurface, SmoothSchemesMeetEveryCurveAndHaveSmoothSeams) {
       surface.setCurves(face.curves);
       const RowMajor<double> grid = positions(surface);
       for (int c = 0; c < FaceLayout::curveCount; ++c)
-        EXPECT_LE(largestMiss(grid, rowOfCurve(c, 29), face.curves, c), 1e-10 * sizeOf(face.curves)) << scheme << " N " << modes;
+        EXPECT_LE(largestMiss(grid, rowOfCurve(c, 29), face.curves, c), 1e-10 * sizeOf(face.curves))
+            << scheme << " N " << modes;
       PDESurface<double> ends = makeEnds(options, columns(400));
       ends.setCurves(face.curves);
       EXPECT_LE(largestJump(ends, 0, 0), 1e-10) << scheme;
@@ -232,7 +247,8 @@ TEST(PDESurface, SmoothSchemesMeetEveryCurveAndHaveSmoothSeams) {
 
 TEST(PDESurface, SeamsAreAsSmoothAsTheSchemeSaysAndNoSmoother) {
   const FaceCurves face = randomFace();
-  const std::map<std::string, int> continuity = {{"four-curve", 0}, {"derivative", 1}, {"sixth-order", 2}, {"tangent", 1}, {"curvature", 2}, {"spline", 2}};
+  const std::map<std::string, int> continuity = {{"four-curve", 0}, {"derivative", 1}, {"sixth-order", 2},
+                                                 {"tangent", 1},    {"curvature", 2},  {"spline", 2}};
   for (const FaceScheme& scheme : faceSchemes()) {
     FaceSurfaceOptions options;
     options.scheme = scheme.name;
@@ -251,7 +267,8 @@ TEST(PDESurface, SeamsAreAsSmoothAsTheSchemeSaysAndNoSmoother) {
 
 TEST(PDESurface, SplineStaysInsideItsCurvesAtEveryRate) {
   const FaceCurves face = randomFace();
-  const Eigen::RowVector3d low = face.curves.points.colwise().minCoeff(), high = face.curves.points.colwise().maxCoeff();
+  const Eigen::RowVector3d low = face.curves.points.colwise().minCoeff(),
+                           high = face.curves.points.colwise().maxCoeff();
   const Eigen::RowVector3d middle = 0.5 * (low + high), half = 0.5 * (high - low);
   for (const double a : {0.01, 0.1, 1.0, 10.0, 100.0, 1000.0})
     for (const int modes : {0, 5, 20}) {
@@ -265,7 +282,8 @@ TEST(PDESurface, SplineStaysInsideItsCurvesAtEveryRate) {
       double outside = 0.0;
       for (int row = 0; row < grid.rows(); ++row)
         for (int i = 0; i < 40; ++i)
-          outside = std::max(outside, ((grid.block<1, 3>(row, 3 * i) - middle).cwiseAbs().cwiseQuotient(half)).maxCoeff());
+          outside =
+              std::max(outside, ((grid.block<1, 3>(row, 3 * i) - middle).cwiseAbs().cwiseQuotient(half)).maxCoeff());
       EXPECT_LE(outside, 1.03) << "a " << a << " N " << modes;
     }
 }

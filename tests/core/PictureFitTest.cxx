@@ -1,11 +1,11 @@
-#include "PictureFit.h"
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
 
 #include "FaceAcquisition.h"
 #include "FaceLayout.h"
+#include "PictureFit.h"
 #include "SyntheticHead.h"
-
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
 
 using namespace mien;
 
@@ -44,7 +44,8 @@ FaceLandmarks pictureOf(const FaceLandmarks& face, double pixels, double turn, b
   return picture;
 }
 
-std::string fit(const FaceLandmarks& picture, FaceCurves& face, PictureReport& report, const PictureSettings& settings = {}) {
+std::string fit(const FaceLandmarks& picture, FaceCurves& face, PictureReport& report,
+                const PictureSettings& settings = {}) {
   return fitToPicture(known().face, known().landmarks, picture, settings, face, report);
 }
 
@@ -71,7 +72,8 @@ TEST(PictureFit, LandmarksOfAnotherFaceAreMet) {
     EXPECT_EQ(report.yDown, yDown);
     EXPECT_LT(report.residual, 1e-8);
     const Eigen::RowVector2d shift = (report.landmarks.points - other.points).leftCols(2).colwise().mean();
-    EXPECT_LT(((report.landmarks.points - other.points).leftCols(2).rowwise() - shift).cwiseAbs().maxCoeff(), 1e-6) << "x and y follow the picture";
+    EXPECT_LT(((report.landmarks.points - other.points).leftCols(2).rowwise() - shift).cwiseAbs().maxCoeff(), 1e-6)
+        << "x and y follow the picture";
     // a curve that passes a landmark passes it still: the nose tip on C15
     const Eigen::Vector3d tip = face.curves.at(FaceLayout::curveIndex("C15"), M_PI);
     EXPECT_NEAR(tip.x(), report.landmarks[30].x(), 0.05);

@@ -1,8 +1,8 @@
-#include "PointTree.h"
-
 #include <gtest/gtest.h>
 
 #include <limits>
+
+#include "PointTree.h"
 
 using namespace mien;
 

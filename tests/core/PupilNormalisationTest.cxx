@@ -1,6 +1,6 @@
-#include "PupilNormalisation.h"
-
 #include <gtest/gtest.h>
+
+#include "PupilNormalisation.h"
 
 using namespace mien;
 

@@ -1,8 +1,8 @@
-#include "QuadraticFit.h"
-
 #include <gtest/gtest.h>
 
 #include <random>
+
+#include "QuadraticFit.h"
 
 using namespace mien;
 

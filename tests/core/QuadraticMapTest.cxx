@@ -1,6 +1,6 @@
-#include "QuadraticMap.h"
-
 #include <gtest/gtest.h>
+
+#include "QuadraticMap.h"
 
 using namespace mien;
 

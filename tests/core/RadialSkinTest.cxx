@@ -1,8 +1,7 @@
-#include "RadialSkin.h"
-
-#include "SyntheticHead.h"
-
 #include <gtest/gtest.h>
+
+#include "RadialSkin.h"
+#include "SyntheticHead.h"
 
 using namespace mien;
 

@@ -1,10 +1,9 @@
-#include "RigidMotion.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "RigidMotion.h"
 #include "SyntheticFace.h"
 
 using namespace mien;

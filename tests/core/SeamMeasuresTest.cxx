@@ -1,9 +1,8 @@
-#include "SeamMeasures.h"
+#include <gtest/gtest.h>
 
 #include "AnalyticJets.h"
+#include "SeamMeasures.h"
 #include "SeamSummary.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 
@@ -29,13 +28,15 @@ TEST(SeamMeasures, OfTwoSpheresThatMeetInACircle) {
   const double heightR = -R * std::cos(angleR), heightr = -r * std::cos(angler);
   for (const double v : {0.0, 1.0, 4.0})
     for (const double shear : {0.0, 0.7}) {
-      const SurfaceJet before = sphereJet(R, heightR, angleR, speed, v), after = sphereJet(r, heightr, angler, speed, v);
+      const SurfaceJet before = sphereJet(R, heightR, angleR, speed, v),
+                       after = sphereJet(r, heightr, angler, speed, v);
       const SeamMeasures measures(sheared(before, shear), sheared(after, shear));
       EXPECT_NEAR(measures.g0, 0.0, tolerance);
       EXPECT_NEAR(measures.g1, (angler - angleR) / degree, tolerance);
       EXPECT_NEAR(measures.g2, 1.0 / r - 1.0 / R, tolerance);
     }
-  // at no shear |S_u| = radius x speed and |S_uu| = radius x speed^2, and the angle between both is that of the meridians
+  // at no shear |S_u| = radius x speed and |S_uu| = radius x speed^2, and the angle between both is that of the
+  // meridians
   const SeamMeasures measures(sphereJet(R, heightR, angleR, speed, 1.0), sphereJet(r, heightr, angler, speed, 1.0));
   const double jump = std::sqrt(R * R + r * r - 2.0 * R * r * std::cos(angler - angleR)) / (0.5 * (R + r));
   EXPECT_NEAR(measures.c1, jump, tolerance);

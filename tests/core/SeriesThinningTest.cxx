@@ -1,9 +1,9 @@
-#include "SeriesThinning.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "SeriesThinning.h"
 
 using mien::thinnedSeries;
 

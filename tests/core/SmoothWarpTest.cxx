@@ -1,6 +1,6 @@
-#include "SmoothWarp.h"
-
 #include <gtest/gtest.h>
+
+#include "SmoothWarp.h"
 
 using namespace mien;
 
@@ -12,7 +12,8 @@ class SmoothWarps : public testing::TestWithParam<int> {};
 
 TEST_P(SmoothWarps, MeetsItsPoints) {
   std::srand(1);
-  const SmoothWarp::Points from = 100.0 * SmoothWarp::Points::Random(30, GetParam()), to = 100.0 * SmoothWarp::Points::Random(30, GetParam());
+  const SmoothWarp::Points from = 100.0 * SmoothWarp::Points::Random(30, GetParam()),
+                           to = 100.0 * SmoothWarp::Points::Random(30, GetParam());
   const SmoothWarp warp(from, to);
   ASSERT_TRUE(warp.sound());
   for (int i = 0; i < 30; ++i) EXPECT_LT((warp(from.row(i).transpose()) - to.row(i).transpose()).norm(), 1e-8);
@@ -34,7 +35,8 @@ TEST_P(SmoothWarps, ReproducesAffineMaps) {
 TEST_P(SmoothWarps, DerivativeIsThatOfTheMap) {
   std::srand(4);
   const int d = GetParam();
-  const SmoothWarp::Points from = SmoothWarp::Points::Random(15, d), to = from + 0.1 * SmoothWarp::Points::Random(15, d);
+  const SmoothWarp::Points from = SmoothWarp::Points::Random(15, d),
+                           to = from + 0.1 * SmoothWarp::Points::Random(15, d);
   const SmoothWarp warp(from, to, 0.01);
   const Eigen::VectorXd p = Eigen::VectorXd::Constant(d, 0.123);
   constexpr double h = 1e-6;

@@ -1,12 +1,11 @@
-#include "SmoothingSweep.h"
-
-#include "RandomCurves.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+
+#include "RandomCurves.h"
+#include "SmoothingSweep.h"
 
 using namespace mien;
 
@@ -21,7 +20,9 @@ SmoothingSweepOptions smallSweep() {
   return options;
 }
 
-double valueOf(const SweepRecord& record, const char* measure) { return record.values[sweepMeasure(measure)]; }
+double valueOf(const SweepRecord& record, const char* measure) {
+  return record.values[sweepMeasure(measure)];
+}
 
 }  // namespace
 
@@ -58,7 +59,9 @@ TEST(SmoothingSweep, ThreadsChangeNothing) {
   const auto four = smoothingSweep(face, options);
   ASSERT_TRUE(one && four);
   for (size_t i = 0; i < one->size(); ++i)
-    EXPECT_EQ(std::memcmp((*one)[i].values.data(), (*four)[i].values.data(), (*one)[i].values.size() * sizeof(double)), 0) << i;
+    EXPECT_EQ(std::memcmp((*one)[i].values.data(), (*four)[i].values.data(), (*one)[i].values.size() * sizeof(double)),
+              0)
+        << i;
 }
 
 TEST(SmoothingSweep, CancelledHalfWayLeavesNothing) {

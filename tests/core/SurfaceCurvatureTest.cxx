@@ -1,8 +1,7 @@
-#include "SurfaceCurvature.h"
+#include <gtest/gtest.h>
 
 #include "AnalyticJets.h"
-
-#include <gtest/gtest.h>
+#include "SurfaceCurvature.h"
 
 using namespace mien;
 

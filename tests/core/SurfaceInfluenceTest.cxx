@@ -1,9 +1,8 @@
-#include "SurfaceInfluence.h"
+#include <gtest/gtest.h>
 
 #include "FaceSample.h"
 #include "RandomCurves.h"
-
-#include <gtest/gtest.h>
+#include "SurfaceInfluence.h"
 
 using namespace mien;
 
@@ -32,7 +31,8 @@ TEST(SurfaceInfluence, IsTheDifferenceOfTwoSurfaces) {
       const Eigen::RowVector3d move(0.5, -1.0, 2.0);
       for (int j = 0; j < 40; ++j)
         if (point < 0 || j == point) moved.curves.curve(12).row(j) += move;
-      const FaceSample before(face, optionsFor(scheme.name), 56, columns), after(moved, optionsFor(scheme.name), 56, columns);
+      const FaceSample before(face, optionsFor(scheme.name), 56, columns),
+          after(moved, optionsFor(scheme.name), 56, columns);
       const RowMajor<double> influence = influenceOf(scheme.name, {12, point});
       const RowLayout layout(56, false);
       for (int patch = 0; patch < FaceLayout::patchCount; ++patch)
@@ -63,7 +63,8 @@ TEST(SurfaceInfluence, OfAllPointsIsThatOfTheCurve) {
 
 TEST(SurfaceInfluence, ReachesOnePatchInFourCurveAndFadesInSpline) {
   const RowLayout layout(56, false);
-  const InfluenceProfile fourCurve(influenceOf("four-curve", {10}), layout, 10), spline(influenceOf("spline", {10}), layout, 10);
+  const InfluenceProfile fourCurve(influenceOf("four-curve", {10}), layout, 10),
+      spline(influenceOf("spline", {10}), layout, 10);
   for (size_t row = 0; row < 56; ++row) {
     const double away = std::abs(spline.position[row] - 10.0);
     if (fourCurve.position[row] < 9.0 || fourCurve.position[row] > 12.0) {

@@ -35,8 +35,8 @@ DeformationTable unruly() {
   return table;
 }
 
-std::vector<Eigen::Vector2d> moves(const std::vector<DeformationPoint>& points, const DeformationTable& table, bool smooth,
-                                   double strength = 1.0) {
+std::vector<Eigen::Vector2d> moves(const std::vector<DeformationPoint>& points, const DeformationTable& table,
+                                   bool smooth, double strength = 1.0) {
   const TableDeformation deformation(points, pupils(), regionMap(), smooth);
   std::vector<Eigen::Vector2d> result(points.size());
   deformation.displacements(table, fittedDisplacement(table, regionMap()), strength, 0, points.size(), result.data());

@@ -1,10 +1,9 @@
-#include "RegionMap.h"
-#include "TableFit.h"
-
 #include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
+
+#include "RegionMap.h"
+#include "TableFit.h"
 
 using namespace mien;
 
@@ -43,7 +42,8 @@ TEST(TableFit, HeadMovementLeavesTheFitUnchanged) {
   ASSERT_EQ(still.fit(samplesOf(gridMarkers(movement(0, 1, 0, 0), movement(0, 1, 0, 0)), regions)), "");
   ASSERT_EQ(moved.fit(samplesOf(gridMarkers(movement(0.2, 1.3, 40, -7), movement(-0.15, 0.8, -20, 9)), regions)), "");
   for (int i = 0; i < 16; ++i)
-    EXPECT_LT((still.table.maps[i].coefficients - moved.table.maps[i].coefficients).cwiseAbs().maxCoeff(), 1e-9) << i + 1;
+    EXPECT_LT((still.table.maps[i].coefficients - moved.table.maps[i].coefficients).cwiseAbs().maxCoeff(), 1e-9)
+        << i + 1;
   EXPECT_GT(still.table.largestDisplacement, 0.05);
 }
 

@@ -1,6 +1,6 @@
-#include "TableStatistics.h"
-
 #include <gtest/gtest.h>
+
+#include "TableStatistics.h"
 
 using namespace mien;
 

@@ -1,9 +1,9 @@
-#include "TableStatistics.h"
-#include "TableText.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "TableStatistics.h"
+#include "TableText.h"
 
 using namespace mien;
 

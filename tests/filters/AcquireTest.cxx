@@ -1,17 +1,15 @@
-#include "Acquire.h"
-
-#include "BoundaryCurveData.h"
-#include "SyntheticHead.h"
-#include "TemporaryFolder.h"
-#include "vtkBoundaryCurveReader.h"
-
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
+
+#include "Acquire.h"
+#include "BoundaryCurveData.h"
+#include "SyntheticHead.h"
+#include "TemporaryFolder.h"
+#include "vtkBoundaryCurveReader.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
 
 namespace {
 
@@ -77,7 +75,9 @@ TEST(Acquire, NamesTheFileAtFaultAndWritesNothing) {
   options.landmarkFile = writeLandmarks("short.csv", 30);
   options.outputFile = temporary("nothing.vtp");
   std::filesystem::remove(options.outputFile);
-  EXPECT_EQ(mien::acquire(options), options.landmarkFile + ":68: landmark 30 (nose_tip) is missing; the twelve landmarks with names are needed, see mien acquire --help");
+  EXPECT_EQ(mien::acquire(options), options.landmarkFile +
+                                        ":68: landmark 30 (nose_tip) is missing; the twelve landmarks with names are "
+                                        "needed, see mien acquire --help");
   options.landmarkFile = "/no/landmarks.csv";
   EXPECT_EQ(mien::acquire(options).rfind("/no/landmarks.csv: ", 0), 0u);
   options.landmarkFile = writeLandmarks("landmarks.csv");

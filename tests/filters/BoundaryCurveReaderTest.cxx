@@ -1,3 +1,8 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
 #include "BoundaryCurveData.h"
 #include "ErrorCounter.h"
 #include "FaceFiles.h"
@@ -5,17 +10,11 @@
 #include "TemporaryFolder.h"
 #include "TextFile.h"
 #include "vtkBoundaryCurveReader.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
 
 namespace {
 
@@ -73,7 +72,8 @@ TEST(BoundaryCurveReader, GivesTheGenericFaceWithoutAFile) {
 }
 
 TEST(BoundaryCurveReader, CurvesOfTooFewOrOddPointsAreRefused) {
-  expectFaceRefused([](mien::FaceCurves& face) { face.curves = thinned(face.curves, 10); }, "curves have 4 points each");
+  expectFaceRefused([](mien::FaceCurves& face) { face.curves = thinned(face.curves, 10); },
+                    "curves have 4 points each");
   expectFaceRefused([](mien::FaceCurves& face) { face.curves = thinned(face.curves, 8); }, "curves have 5 points each");
 }
 
@@ -85,17 +85,20 @@ TEST(BoundaryCurveReader, CoordinatesThatAreNoNumbersAreRefusedWithCurveAndPoint
                         "curve C6, point " + std::to_string(point) + " is not a finite number");
   expectFaceRefused([&](mien::FaceCurves& face) { face.curves.curve(mien::FaceLayout::lowerLip)(3, 0) = nothing; },
                     "curve C22', point 3 is not a finite number");
-  expectFaceRefused([&](mien::FaceCurves& face) { face.curves.curve(28)(3, 2) = nothing; }, "curve C28, point 3 is not");
+  expectFaceRefused([&](mien::FaceCurves& face) { face.curves.curve(28)(3, 2) = nothing; },
+                    "curve C28, point 3 is not");
 }
 
 TEST(BoundaryCurveReader, CrossedCurvesAreRefusedWithBothNames) {
   expectFaceRefused([](mien::FaceCurves& face) { face.curves.curve(8).row(20).swap(face.curves.curve(9).row(20)); },
                     "curve C9 lies below C10 at point 20");
-  expectFaceRefused([](mien::FaceCurves& face) { face.curves.curve(22).col(1).array() += 0.5; }, "curve C22 lies below C22'");
+  expectFaceRefused([](mien::FaceCurves& face) { face.curves.curve(22).col(1).array() += 0.5; },
+                    "curve C22 lies below C22'");
 }
 
 TEST(BoundaryCurveReader, MissingCurvesAreRefusedWithTheirName) {
-  expectDataRefused([](vtkPolyData* data) { data->GetCellData()->GetArray("CurveId")->SetTuple1(10, 3); }, "curve C11 is missing");
+  expectDataRefused([](vtkPolyData* data) { data->GetCellData()->GetArray("CurveId")->SetTuple1(10, 3); },
+                    "curve C11 is missing");
   expectDataRefused(
       [](vtkPolyData* data) {
         mien::ClosedCurves first(27, 40);
@@ -108,7 +111,8 @@ TEST(BoundaryCurveReader, MissingCurvesAreRefusedWithTheirName) {
 TEST(BoundaryCurveReader, OtherFilesAreRefused) {
   const TemporaryFolder folder;
   expectRefused(folder.file("none.vtp"), "there is no such file");
-  for (const std::string text : {"", "2.1 lids 25 1\n", "<VTKFile type=\"PolyData\"", "<?xml version=\"1.0\"?><face/>"}) {
+  for (const std::string text :
+       {"", "2.1 lids 25 1\n", "<VTKFile type=\"PolyData\"", "<?xml version=\"1.0\"?><face/>"}) {
     writeTextFile(folder.file("text.vtp"), text);
     expectRefused(folder.file("text.vtp"), "VTK XML");
   }

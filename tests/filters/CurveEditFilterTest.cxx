@@ -1,13 +1,12 @@
-#include "vtkCurveEditFilter.h"
+#include <gtest/gtest.h>
 
+#include "CurveEdit.h"
 #include "FaceFiles.h"
 #include "FaceLayout.h"
 #include "FacePipeline.h"
 #include "PipelineErrors.h"
-#include "CurveEdit.h"
 #include "vtkBoundaryCurveReader.h"
-
-#include <gtest/gtest.h>
+#include "vtkCurveEditFilter.h"
 
 using namespace mien;
 

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "DefaultRegions.h"
 #include "FDTData.h"
 #include "NamedTables.h"
@@ -5,18 +7,15 @@
 #include "PipelineErrors.h"
 #include "TemporaryFolder.h"
 #include "TextFile.h"
+#include "vtkDoubleArray.h"
 #include "vtkFDTDeformationFilter.h"
 #include "vtkFDTReader.h"
 #include "vtkFDTWriter.h"
-
-#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkTable.h"
-
-#include <gtest/gtest.h>
 
 namespace {
 

@@ -1,5 +1,10 @@
-#include "FacePipeline.h"
+#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "FacePipeline.h"
 #include "TemporaryFolder.h"
 #include "TextFile.h"
 #include "vtkBoundaryCurveReader.h"
@@ -7,12 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <sstream>
 
 namespace {
 

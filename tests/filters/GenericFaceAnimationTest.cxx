@@ -5,11 +5,11 @@
 
 #include "AnimationData.h"
 #include "BoundaryCurveData.h"
+#include "FAPAxis.h"
 #include "FAPTable.h"
 #include "FaceAnimator.h"
 #include "FineColumns.h"
 #include "FoldedCells.h"
-#include "FAPAxis.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"

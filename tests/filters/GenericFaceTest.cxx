@@ -1,19 +1,18 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
 #include "Acquire.h"
 #include "BoundaryCurveData.h"
 #include "FaceLayout.h"
 #include "ReferenceData.h"
 #include "TemporaryFolder.h"
 #include "vtkBoundaryCurveReader.h"
+#include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
+#include "vtkPolyData.h"
 #include "vtkScanReader.h"
 #include "vtkSurfaceDistanceFilter.h"
-
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace {
 
@@ -46,7 +45,9 @@ double frontalDistance(const std::string& scheme, const std::string& head) {
 
 }  // namespace
 
-TEST(GenericFace, HasNoFault) { EXPECT_EQ(describeFault(genericFace()), ""); }
+TEST(GenericFace, HasNoFault) {
+  EXPECT_EQ(describeFault(genericFace()), "");
+}
 
 TEST(GenericFace, IsItsOwnMirrorImageToTheLastBit) {
   const mien::FaceCurves face = genericFace();
@@ -70,8 +71,8 @@ TEST(GenericFace, ClosesItsMouth) {
 TEST(GenericFace, HoldsTheFeaturePointsOfThe22FAPs) {
   const mien::FaceCurves face = genericFace();
   EXPECT_TRUE(face.hasPupils);
-  for (const char* id : {"3.1", "3.2", "3.3", "3.4", "4.1", "4.2", "4.3", "4.4", "4.5", "4.6", "5.1", "5.2", "5.3", "5.4",
-                         "8.1", "8.2", "8.3", "8.4", "9.1", "9.2", "9.3", "9.15", "2.2", "2.3"})
+  for (const char* id : {"3.1", "3.2", "3.3", "3.4", "4.1", "4.2", "4.3", "4.4", "4.5", "4.6",  "5.1", "5.2",
+                         "5.3", "5.4", "8.1", "8.2", "8.3", "8.4", "9.1", "9.2", "9.3", "9.15", "2.2", "2.3"})
     EXPECT_NE(face.feature(id), nullptr) << id;
 }
 
@@ -104,7 +105,8 @@ TEST(GenericFace, IsWhatTheDocumentedCommandMeasures) {
   mien::AcquireOptions options;
   options.scans.push_back(referencePath("heads/generic_neutral.ply"));
   for (int i = 1; i <= 12; ++i)
-    options.scans.push_back(referencePath("heads/subject" + std::string(i < 10 ? "0" : "") + std::to_string(i) + "_neutral.ply"));
+    options.scans.push_back(
+        referencePath("heads/subject" + std::string(i < 10 ? "0" : "") + std::to_string(i) + "_neutral.ply"));
   options.landmarkFile = referencePath("heads/landmarks68.csv");
   const TemporaryFolder folder;
   options.outputFile = folder.file("generic.vtp");

@@ -1,16 +1,15 @@
+#include <gtest/gtest.h>
+
 #include "ReferenceData.h"
 #include "ScanAcquisition.h"
 #include "vtkBoundaryCurveAcquisitionFilter.h"
-#include "vtkPDEFaceFilter.h"
-#include "vtkScanReader.h"
-#include "vtkSurfaceDistanceFilter.h"
-
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
+#include "vtkPDEFaceFilter.h"
 #include "vtkPolyData.h"
+#include "vtkScanReader.h"
+#include "vtkSurfaceDistanceFilter.h"
 #include "vtkTable.h"
-
-#include <gtest/gtest.h>
 
 using namespace mien;
 
@@ -49,7 +48,8 @@ class Heads : public testing::TestWithParam<const char*> {
       for (int j = 1; j < 40; ++j) {
         const Eigen::Vector3d p = face().curves.curve(c).row(j), q = face().curves.curve(c).row(40 - j);
         EXPECT_NEAR(axis.azimuth(p), -axis.azimuth(q), 1e-9) << "points j and K - j mirror each other in azimuth";
-        const Eigen::Vector3d before = face().curves.curve(c).row(j - 1), after = face().curves.curve(c).row((j + 1) % 40);
+        const Eigen::Vector3d before = face().curves.curve(c).row(j - 1),
+                              after = face().curves.curve(c).row((j + 1) % 40);
         const double spike = axis.radius(p) - 0.5 * (axis.radius(before) + axis.radius(after));
         // Ears stand between 60 and 150 degrees of azimuth; at 39 degrees C28 runs over the corner of a chin.
         const bool aside = std::abs(axis.azimuth(p)) > 60.0 / 180.0 * M_PI;
@@ -80,8 +80,9 @@ TEST_P(Heads, AreMeasuredWithoutLandmarks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Neutral, Heads,
-                         testing::Values("generic", "subject01", "subject02", "subject03", "subject04", "subject05", "subject06",
-                                         "subject07", "subject08", "subject09", "subject10", "subject11", "subject12"));
+                         testing::Values("generic", "subject01", "subject02", "subject03", "subject04", "subject05",
+                                         "subject06", "subject07", "subject08", "subject09", "subject10", "subject11",
+                                         "subject12"));
 
 TEST(AcquisitionFilter, TellsItsProgressAndCanBeAborted) {
   MIEN_REQUIRE_REFERENCE("heads/generic_neutral.ply");

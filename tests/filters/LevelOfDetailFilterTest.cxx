@@ -221,6 +221,7 @@ TEST(LevelOfDetailFilter, ACompactFaceIsNearerToAScannedHeadThanAMeshOfItsSize) 
   EXPECT_LE(compact["rms_mm"], face["rms_mm"] + 0.1);
   for (const char* const mesh : {"decimated mesh", "packed mesh"})
     for (const Row& row : rowsOf(filter->GetOutput(), mesh))
-      if (row["bytes"] <= 1.1 * compact["bytes"])
+      if (row["bytes"] <= 1.1 * compact["bytes"]) {
         EXPECT_GT(row["symmetric_rms_mm"], compact["symmetric_rms_mm"]) << mesh << " " << row.detail;
+      }
 }

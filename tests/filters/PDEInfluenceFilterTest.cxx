@@ -1,21 +1,19 @@
-#include "vtkPDEInfluenceFilter.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "ErrorCounter.h"
-
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
+#include "vtkPDEInfluenceFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace {
 
@@ -117,7 +115,8 @@ TEST(PDEInfluenceFilter, PiecesEqualTheWholeAndShareItsProfile) {
     vtkIdType i = 0;
     for (int row = extent[2]; row <= extent[3]; ++row)
       for (int column = extent[0]; column <= extent[1]; ++column, ++i)
-        for (int c = 0; c < 3; ++c) ASSERT_EQ(some->GetTuple3(i)[c], all->GetTuple3(row * 41 + column)[c]) << row << " " << column;
+        for (int c = 0; c < 3; ++c)
+          ASSERT_EQ(some->GetTuple3(i)[c], all->GetTuple3(row * 41 + column)[c]) << row << " " << column;
     EXPECT_EQ(part.filter->GetProfile()->GetNumberOfRows(), 56);
     EXPECT_EQ(part.filter->GetHalfWidthAbove(), whole.filter->GetHalfWidthAbove());
   }
@@ -126,7 +125,8 @@ TEST(PDEInfluenceFilter, PiecesEqualTheWholeAndShareItsProfile) {
 TEST(PDEInfluenceFilter, AnAbortedUpdateLeavesNoHalfOutput) {
   Influence influence;
   vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  abort->SetCallback(
+      [](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
   influence.filter->AddObserver(vtkCommand::ProgressEvent, abort);
   influence.filter->Update();
   EXPECT_EQ(influence.errors.count(), 0);

@@ -1,20 +1,18 @@
-#include "vtkPDEModeFilter.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "BoundaryCurveData.h"
 #include "ErrorCounter.h"
 #include "RandomCurves.h"
-
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
+#include "vtkPDEModeFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTable.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace {
 
@@ -194,7 +192,12 @@ TEST(PDEModeFilter, RefusesWhatIsNoFaceOrOutOfRange) {
   };
   refused([](Modes& m) { m.filter->SetMode(6); }, "0 .. 5");
   refused([](Modes& m) { m.filter->SetMode(-2); }, "-1 for the remainder");
-  refused([](Modes& m) { m.filter->SetMode(-1); m.filter->RemainderOff(); }, "has none");
+  refused(
+      [](Modes& m) {
+        m.filter->SetMode(-1);
+        m.filter->RemainderOff();
+      },
+      "has none");
   refused([](Modes& m) { m.filter->SetResolution(10, 40); }, "11x3");
   refused([](Modes& m) { m.filter->SetScheme("none"); }, "four-curve");
   refused([](Modes& m) { m.curves->Initialize(); }, "no lines");
@@ -203,7 +206,8 @@ TEST(PDEModeFilter, RefusesWhatIsNoFaceOrOutOfRange) {
 TEST(PDEModeFilter, AnAbortedUpdateLeavesNoHalfOutput) {
   Modes modes;
   vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  abort->SetCallback(
+      [](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
   const auto observer = modes.filter->AddObserver(vtkCommand::ProgressEvent, abort);
   modes.filter->Update();
   EXPECT_EQ(modes.grid()->GetNumberOfPoints(), 0);

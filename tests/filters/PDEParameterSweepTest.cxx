@@ -1,12 +1,14 @@
-#include "vtkPDEParameterSweep.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "ErrorCounter.h"
 #include "ReferenceData.h"
-
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
+#include "vtkPDEParameterSweep.h"
 #include "vtkPLYReader.h"
 #include "vtkPolyData.h"
 #include "vtkSphereSource.h"
@@ -14,10 +16,6 @@
 #include "vtkSurfaceDistanceFilter.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace {
 
@@ -43,8 +41,10 @@ TEST(PDEParameterSweep, GivesTheDocumentedTable) {
   EXPECT_EQ(sweep.errors.count(), 0);
   vtkTable* table = sweep.filter->GetOutput();
   EXPECT_EQ(table->GetNumberOfRows(), 18);
-  const std::vector<std::string> columns = {"scheme", "a", "area_mm2", "rms_departure_mm", "max_departure_mm", "curve_miss_rms_mm", "lebesgue",
-                                            "g1_max_deg", "folded_cells", "folded_cells_on_seams", "willmore_energy", "box_ratio", "reason"};
+  const std::vector<std::string> columns = {
+      "scheme",   "a",          "area_mm2",     "rms_departure_mm",      "max_departure_mm", "curve_miss_rms_mm",
+      "lebesgue", "g1_max_deg", "folded_cells", "folded_cells_on_seams", "willmore_energy",  "box_ratio",
+      "reason"};
   ASSERT_EQ(table->GetNumberOfColumns(), static_cast<vtkIdType>(columns.size()));
   for (size_t i = 0; i < columns.size(); ++i) EXPECT_EQ(table->GetColumnName(i), columns[i]);
   EXPECT_EQ(table->GetValueByName(0, "scheme").ToString(), "four-curve");
@@ -95,7 +95,8 @@ TEST(PDEParameterSweep, ThreadsChangeNothing) {
   }
   for (vtkIdType row = 0; row < 3; ++row)
     for (vtkIdType column = 1; column + 1 < one.filter->GetOutput()->GetNumberOfColumns(); ++column)
-      EXPECT_EQ(one.filter->GetOutput()->GetValue(row, column).ToDouble(), three.filter->GetOutput()->GetValue(row, column).ToDouble());
+      EXPECT_EQ(one.filter->GetOutput()->GetValue(row, column).ToDouble(),
+                three.filter->GetOutput()->GetValue(row, column).ToDouble());
 }
 
 TEST(PDEParameterSweep, AnAbortedSweepLeavesNothingAndRunsAgain) {
@@ -191,6 +192,7 @@ TEST(PDEParameterSweep, DistanceToTheMeanHeadIsWhatTheDistanceFilterMeasures) {
   for (int row = 0; row < 2; ++row) {
     face->SetScheme(sweep.filter->GetOutput()->GetValueByName(row, "scheme").ToString());
     filter->Update();
-    EXPECT_NEAR(sweep.value(row, "distance_rms_mm") / filter->GetRMSDistance(), 1.0, 0.02) << row;  // integrals against facets
+    EXPECT_NEAR(sweep.value(row, "distance_rms_mm") / filter->GetRMSDistance(), 1.0, 0.02)
+        << row;  // integrals against facets
   }
 }

@@ -1,23 +1,21 @@
-#include "vtkPDEPatchFilter.h"
-
-#include "BoundaryCurveData.h"
-#include "ErrorCounter.h"
-
-#include "vtkCallbackCommand.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkStructuredGrid.h"
-#include "vtkUnsignedCharArray.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+
+#include "BoundaryCurveData.h"
+#include "ErrorCounter.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPDEPatchFilter.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
 
 namespace {
 
@@ -129,7 +127,8 @@ TEST(PDEPatchFilter, PiecesWithGhostLevelsEqualTheWhole) {
             const vtkIdType id = vtkStructuredData::ComputePointIdForExtent(extent, ijk);
             for (int c = 0; c < 3; ++c) {
               // double precision: sums over fewer columns are grouped otherwise and differ in their last digit
-              ASSERT_NEAR(grid->GetPoint(id)[c], whole.filter->GetOutput()->GetPoint(j * 49 + i)[c], 1e-14) << i << " " << j;
+              ASSERT_NEAR(grid->GetPoint(id)[c], whole.filter->GetOutput()->GetPoint(j * 49 + i)[c], 1e-14)
+                  << i << " " << j;
               ASSERT_NEAR(grid->GetPointData()->GetNormals()->GetComponent(id, c),
                           whole.filter->GetOutput()->GetPointData()->GetNormals()->GetComponent(j * 49 + i, c), 1e-14);
             }
@@ -139,7 +138,8 @@ TEST(PDEPatchFilter, PiecesWithGhostLevelsEqualTheWhole) {
             owners[j * 48 + i] += !(ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL));
           }
       }
-      EXPECT_EQ(std::count(owners.begin(), owners.end(), 1), 30 * 48) << pieces << " pieces, " << ghostLevels << " ghost levels";
+      EXPECT_EQ(std::count(owners.begin(), owners.end(), 1), 30 * 48)
+          << pieces << " pieces, " << ghostLevels << " ghost levels";
       EXPECT_EQ(part.errors.count(), 0);
     }
 }
@@ -151,7 +151,10 @@ TEST(PDEPatchFilter, RunsAgainOnlyWhenSomethingChanged) {
   counter->SetClientData(&runs);
   counter->SetCallback([](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
   patch.filter->AddObserver(vtkCommand::EndEvent, counter);
-  const auto runsAfterUpdate = [&] { patch.filter->Update(); return runs; };
+  const auto runsAfterUpdate = [&] {
+    patch.filter->Update();
+    return runs;
+  };
   EXPECT_EQ(runsAfterUpdate(), 1);
   patch.filter->SetSmoothing(patch.filter->GetSmoothing());
   patch.filter->SetNumberOfModes(patch.filter->GetNumberOfModes());
@@ -174,7 +177,8 @@ TEST(PDEPatchFilter, AnAbortedUpdateLeavesNoHalfOutput) {
   Patch patch(cut(vase, {0, 0.3, 0.6, 1}));
   patch.filter->SetResolution(2000, 2000);
   vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  abort->SetCallback(
+      [](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
   const auto observer = patch.filter->AddObserver(vtkCommand::ProgressEvent, abort);
   patch.filter->Update();
   EXPECT_EQ(patch.filter->GetOutput()->GetNumberOfPoints(), 0);

@@ -1,24 +1,22 @@
-#include "vtkPatchContinuityFilter.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "BoundaryCurveData.h"
 #include "ErrorCounter.h"
 #include "RandomCurves.h"
-
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
+#include "vtkPatchContinuityFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTable.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace {
 
@@ -88,7 +86,8 @@ TEST(PatchContinuityFilter, SeamsLieOnTheFace) {
   for (int seam = 0; seam < 8; ++seam)
     for (int i = 0; i < 40; ++i)
       for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(seams.filter->GetOutput()->GetPoint(seam * 40 + i)[c], face->GetOutput()->GetPoint(rows[seam] * 41 + i)[c], 1e-10);
+        EXPECT_NEAR(seams.filter->GetOutput()->GetPoint(seam * 40 + i)[c],
+                    face->GetOutput()->GetPoint(rows[seam] * 41 + i)[c], 1e-10);
 }
 
 TEST(PatchContinuityFilter, SummaryIsThatOfTheArrays) {
@@ -207,7 +206,8 @@ TEST(PatchContinuityFilter, RefusesWhatIsNoFaceOrOutOfRange) {
 TEST(PatchContinuityFilter, AnAbortedUpdateLeavesNoHalfOutput) {
   Seams seams;
   vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  abort->SetCallback(
+      [](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
   const auto observer = seams.filter->AddObserver(vtkCommand::ProgressEvent, abort);
   seams.filter->Update();
   EXPECT_EQ(seams.filter->GetOutput()->GetNumberOfPoints(), 0);

@@ -1,17 +1,16 @@
-#include "ScanAcquisition.h"
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
 
 #include "DenseFace.h"
 #include "FaceAcquisition.h"
 #include "FaceLayout.h"
+#include "ScanAcquisition.h"
 #include "SyntheticHead.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellLocator.h"
 #include "vtkGenericCell.h"
 #include "vtkPoints.h"
-
-#include <Eigen/Geometry>
-#include <gtest/gtest.h>
 
 using namespace mien;
 
@@ -76,7 +75,9 @@ double distanceOf(const AcquiredScan& scan, const Similarity& motion = {}) {
 }
 
 Similarity someMotion(double scale) {
-  return {scale, Eigen::AngleAxisd(2.1, Eigen::Vector3d(1.0, -0.4, 0.7).normalized()).toRotationMatrix(), {310.0 * scale, -95.0 * scale, 42.0 * scale}};
+  return {scale,
+          Eigen::AngleAxisd(2.1, Eigen::Vector3d(1.0, -0.4, 0.7).normalized()).toRotationMatrix(),
+          {310.0 * scale, -95.0 * scale, 42.0 * scale}};
 }
 
 DenseFace movedFace(const Similarity& motion) {
@@ -153,7 +154,8 @@ TEST(ScanAcquisition, AnImpossibleSizeIsAskedAbout) {
   EXPECT_EQ(result.face.curves.count, 0);
   ScanSettings settings;
   settings.millimetres = 50.0;
-  EXPECT_LT(distanceOf(acquired(scan, all(), settings), {0.02, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()}), 0.5);
+  EXPECT_LT(distanceOf(acquired(scan, all(), settings), {0.02, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()}),
+            0.5);
 }
 
 TEST(ScanAcquisition, TwelveLandmarksAreEnough) {
@@ -162,7 +164,8 @@ TEST(ScanAcquisition, TwelveLandmarksAreEnough) {
   for (int i = 0; i < FaceLandmarks::count; ++i) given[i] = !landmarkName(i).empty();
   const AcquiredScan result = acquired(scan, given);
   EXPECT_EQ(result.report.completedLandmarks, 56);
-  EXPECT_LT((result.landmarks.points - scan.landmarks.points).rowwise().norm().maxCoeff(), 3.0) << "the reference's own lie up to 2.2 mm off its surface";
+  EXPECT_LT((result.landmarks.points - scan.landmarks.points).rowwise().norm().maxCoeff(), 3.0)
+      << "the reference's own lie up to 2.2 mm off its surface";
   EXPECT_LT(distanceOf(result), 0.1);
 }
 
@@ -194,7 +197,8 @@ TEST(ScanAcquisition, StrayPartsGoAndEyeballsStay) {
     ball.axis = {0.0, 0.0};
     ball.radius = [](double, double y) { return std::sqrt(std::max(0.01, 10.0 * 10.0 - y * y)); };
     TriangleMesh more = ball.mesh(-10, 10);
-    const int first = static_cast<int>(scan.mesh.vertices.rows()), triangles = static_cast<int>(scan.mesh.triangles.rows());
+    const int first = static_cast<int>(scan.mesh.vertices.rows()),
+              triangles = static_cast<int>(scan.mesh.triangles.rows());
     scan.mesh.vertices.conservativeResize(first + more.vertices.rows(), 3);
     scan.mesh.vertices.bottomRows(more.vertices.rows()) = (more.vertices * (radius / 10.0)).rowwise() + middle;
     scan.mesh.triangles.conservativeResize(triangles + more.triangles.rows(), 3);
@@ -214,11 +218,12 @@ TEST(ScanAcquisition, StopsWhenAsked) {
   const DenseFace scan(60, 61);
   AcquiredScan result;
   double last = -1.0;
-  const std::string fault = acquireScan(cleaned(scan.mesh), {}, {}, referenceTemplate(), {}, result, [&last](double done) {
-    EXPECT_GE(done, last);
-    last = done;
-    return done < 0.3;
-  });
+  const std::string fault =
+      acquireScan(cleaned(scan.mesh), {}, {}, referenceTemplate(), {}, result, [&last](double done) {
+        EXPECT_GE(done, last);
+        last = done;
+        return done < 0.3;
+      });
   EXPECT_NE(fault.find("stopped"), std::string::npos);
   EXPECT_LT(last, 0.35);
 }

@@ -1,13 +1,12 @@
-#include "PipelineErrors.h"
-#include "TemporaryFolder.h"
-#include "vtkScanReader.h"
-
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
+
+#include "PipelineErrors.h"
+#include "TemporaryFolder.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkScanReader.h"
 
 namespace {
 
@@ -46,20 +45,22 @@ void expectTwoTriangles(const std::string& file) {
 TEST(ScanReader, SplitsPolygonsOfEveryFormat) {
   expectTwoTriangles(writeFile("quad.obj", "v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nf 1 2 3 4\n"));
   expectTwoTriangles(writeFile("quad.off", "OFF\n4 1 0\n0 0 0\n2 0 0\n2 3 0\n0 3 0\n4 0 1 2 3\n"));
-  expectTwoTriangles(writeFile("quad.ply",
-                               "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
-                               "float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 "
-                               "0\n2 3 0\n0 3 0\n4 0 1 2 3\n"));
-  expectTwoTriangles(writeFile("quad.stl",
-                               "solid q\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 2 3 "
-                               "0\nendloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 3 0\nvertex 0 3 "
-                               "0\nendloop\nendfacet\nendsolid q\n"));
+  expectTwoTriangles(
+      writeFile("quad.ply",
+                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
+                "float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n2 0 "
+                "0\n2 3 0\n0 3 0\n4 0 1 2 3\n"));
+  expectTwoTriangles(
+      writeFile("quad.stl",
+                "solid q\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 2 3 "
+                "0\nendloop\nendfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 3 0\nvertex 0 3 "
+                "0\nendloop\nendfacet\nendsolid q\n"));
 }
 
 TEST(ScanReader, ReadsBinarySTL) {
   std::string bytes = std::string(80, ' ') + std::string("\2\0\0\0", 4);
-  for (const std::vector<float>& triangle : {std::vector<float>{0, 0, 1, 0, 0, 0, 2, 0, 0, 2, 3, 0},
-                                             std::vector<float>{0, 0, 1, 0, 0, 0, 2, 3, 0, 0, 3, 0}})
+  for (const std::vector<float>& triangle :
+       {std::vector<float>{0, 0, 1, 0, 0, 0, 2, 0, 0, 2, 3, 0}, std::vector<float>{0, 0, 1, 0, 0, 0, 2, 3, 0, 0, 3, 0}})
     bytes += std::string(reinterpret_cast<const char*>(triangle.data()), 48) + std::string(2, '\0');
   expectTwoTriangles(writeFile("binary.stl", bytes));
 }

@@ -1,10 +1,13 @@
-#include "vtkSurfaceDistanceFilter.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
 
 #include "ErrorCounter.h"
 #include "ReferenceData.h"
 #include "SurfaceDistance.h"
 #include "SurfaceMesh.h"
-
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -19,14 +22,9 @@
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
+#include "vtkSurfaceDistanceFilter.h"
 #include "vtkTable.h"
 #include "vtkTriangle.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <random>
 
 namespace {
 
@@ -123,10 +121,12 @@ TEST(SurfaceDistanceFilter, FindsTheNearestPointThatSearchingAllTrianglesFinds) 
   std::mt19937 random(4);
   std::uniform_real_distribution<double> coordinate(-40.0, 40.0);
   for (int i = 0; i < 300; ++i) {
-    double p[3] = {coordinate(random), coordinate(random), coordinate(random)}, closest[3], local[3], shares[3], squared = 0.0, best = 1e9;
+    double p[3] = {coordinate(random), coordinate(random), coordinate(random)}, closest[3], local[3], shares[3],
+           squared = 0.0, best = 1e9;
     int part = 0;
     for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
-      if (triangles->GetCell(cell)->EvaluatePosition(p, closest, part, local, squared, shares) >= 0) best = std::min(best, squared);
+      if (triangles->GetCell(cell)->EvaluatePosition(p, closest, part, local, squared, shares) >= 0)
+        best = std::min(best, squared);
     EXPECT_NEAR(distance(p, false), std::sqrt(best), 1e-9);
   }
 }
@@ -232,15 +232,17 @@ TEST(SurfaceDistanceFilter, RefusesCellsAndArraysThatDoNotFitThePoints) {
   refused([&](vtkPolyData* mesh) { mesh->SetStrips(cellsOf(1000000000000)); }, "strips");
   refused([&](vtkPolyData* mesh) { mesh->SetLines(cellsOf(-7)); }, "lines");
   refused([&](vtkPolyData* mesh) { mesh->GetPointData()->GetNormals()->SetNumberOfTuples(3); }, "has 3 values");
-  refused([&](vtkPolyData* mesh) {
-    vtkNew<vtkDoubleArray> flat;
-    flat->SetName("flat");
-    flat->SetNumberOfComponents(1);
-    flat->SetNumberOfTuples(mesh->GetNumberOfPoints());
-    mesh->GetPointData()->SetNormals(nullptr);
-    mesh->GetPointData()->AddArray(flat);
-    mesh->GetPolys()->GetOffsetsArray()->SetTuple1(1, 100000.0);
-  }, "offsets");
+  refused(
+      [&](vtkPolyData* mesh) {
+        vtkNew<vtkDoubleArray> flat;
+        flat->SetName("flat");
+        flat->SetNumberOfComponents(1);
+        flat->SetNumberOfTuples(mesh->GetNumberOfPoints());
+        mesh->GetPointData()->SetNormals(nullptr);
+        mesh->GetPointData()->AddArray(flat);
+        mesh->GetPolys()->GetOffsetsArray()->SetTuple1(1, 100000.0);
+      },
+      "offsets");
 }
 
 TEST(SurfaceDistanceFilter, RefusesAMeshWithoutArea) {
@@ -248,13 +250,15 @@ TEST(SurfaceDistanceFilter, RefusesAMeshWithoutArea) {
   for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i) flat->GetPoints()->SetPoint(i, 1.0 * i, 0.0, 0.0);
   Comparison comparison(sphere(1.0), flat);
   comparison.filter->Update();
-  EXPECT_NE(comparison.errors.first().find("the reference mesh has no area"), std::string::npos) << comparison.errors.first();
+  EXPECT_NE(comparison.errors.first().find("the reference mesh has no area"), std::string::npos)
+      << comparison.errors.first();
 }
 
 TEST(SurfaceDistanceFilter, AnAbortedUpdateLeavesNoHalfOutput) {
   Comparison spheres(sphere(12.0, 200), sphere(10.0));
   vtkNew<vtkCallbackCommand> abort;
-  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  abort->SetCallback(
+      [](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
   spheres.filter->AddObserver(vtkCommand::ProgressEvent, abort);
   spheres.filter->Update();
   EXPECT_EQ(spheres.filter->GetOutput()->GetNumberOfPoints(), 0);
@@ -277,8 +281,9 @@ TEST(SurfaceDistanceFilter, TheGenericFaceLiesOnTheMeanHead) {
   const auto rms = [&](const char* scheme) {
     face->SetScheme(scheme);
     filter->Update();
-    RecordProperty(scheme, std::to_string(filter->GetRMSDistance(0)) + " maximum " + std::to_string(filter->GetMaximumDistance(0)) +
-                               ", back " + std::to_string(filter->GetRMSDistance(1)));
+    RecordProperty(scheme, std::to_string(filter->GetRMSDistance(0)) + " maximum " +
+                               std::to_string(filter->GetMaximumDistance(0)) + ", back " +
+                               std::to_string(filter->GetRMSDistance(1)));
     return filter->GetRMSDistance(0);
   };
   EXPECT_LE(rms("spline"), 0.60);

@@ -1,18 +1,16 @@
-#include "XMLDataFile.h"
+#include <gtest/gtest.h>
+
+#include <sstream>
 
 #include "ErrorCounter.h"
 #include "FaceFiles.h"
 #include "TemporaryFolder.h"
 #include "TextFile.h"
 #include "XMLCounts.h"
-
+#include "XMLDataFile.h"
 #include "vtkNew.h"
 #include "vtkSphereSource.h"
 #include "vtkXMLPolyDataReader.h"
-
-#include <gtest/gtest.h>
-
-#include <sstream>
 
 namespace {
 
@@ -66,7 +64,8 @@ TEST(XMLDataFile, CountsThatNoFileOfThisLengthHoldsAreRefused) {
 
 TEST(XMLDataFile, WhatIsNoXMLIsRefusedInOneSentenceAndInSilence) {
   const TemporaryFolder folder;
-  for (const char* text : {"", "ply\n", "<VTKFile", "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"3\"><Points>"}) {
+  for (const char* text :
+       {"", "ply\n", "<VTKFile", "<VTKFile type=\"PolyData\"><PolyData><Piece NumberOfPoints=\"3\"><Points>"}) {
     testing::internal::CaptureStderr();
     const std::string fault = readFault(folder.file("x.vtp"), text);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << text;
@@ -87,7 +86,8 @@ TEST(XMLCounts, MultipliesExtentsAndComponents) {
   EXPECT_EQ(countFault("<StructuredGrid WholeExtent=\"0 19 0 9 0 0\">"), "");
   EXPECT_EQ(countFault("<StructuredGrid WholeExtent=\"0 -1 0 -1 0 -1\">"), "");
   EXPECT_NE(countFault("<StructuredGrid WholeExtent=\"0 99 0 99 0 0\">").find("WholeExtent"), std::string::npos);
-  EXPECT_NE(countFault("<Piece NumberOfPoints=\"300\"><DataArray NumberOfComponents=\"9\">").find("NumberOfComponents"), std::string::npos);
+  EXPECT_NE(countFault("<Piece NumberOfPoints=\"300\"><DataArray NumberOfComponents=\"9\">").find("NumberOfComponents"),
+            std::string::npos);
   EXPECT_NE(countFault("<DataArray NumberOfTuples=\"1e12\">"), "");
   EXPECT_EQ(countFault("<AppendedData>_<Piece NumberOfPoints=\"9999\">"), "");  // from here on bytes are data
 }

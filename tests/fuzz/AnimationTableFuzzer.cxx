@@ -21,7 +21,8 @@ void requireUsable(const AnimationEntry& entry) {
     require(static_cast<int>(part.slopes.size()) == entry.intervals.intervals());
     for (const Eigen::Vector3d& slope : part.slopes) require(slope.allFinite());
     for (int curve : part.curves) require(curve >= 0 && curve < FaceLayout::curveCount);
-    for (const ProfileKnot& knot : part.profile.knots) require(std::isfinite(knot.offset) && knot.weight >= 0 && knot.weight <= 1);
+    for (const ProfileKnot& knot : part.profile.knots)
+      require(std::isfinite(knot.offset) && knot.weight >= 0 && knot.weight <= 1);
     require(part.profile.followsGap() || part.profile.knots.size() >= 2);
   }
 }

@@ -33,4 +33,17 @@ above() { echo "(([^\">]*/)?($(headers "$1"))|[^\">]*$1/[^\">]*)[\">]"; }
 forbid "filters include a program's headers" "$(above app)" filters
 forbid "filters include headers of widgets" "$(above widgets)" filters
 forbid "widgets include a program's headers" "$(above app)" widgets
+
+# The rooms of filters/core, lowest first, as its CMakeLists.txt lists them: a room knows only those before it.
+rooms=$(sed -n 's/^set(rooms \(.*\))$/\1/p' filters/core/CMakeLists.txt)
+[ -n "$rooms" ] || { echo "layers: filters/core/CMakeLists.txt names no rooms" >&2; status=1; }
+lower=
+for room in $rooms; do
+  for other in $rooms; do
+    case " $lower $room " in *" $other "*) continue ;; esac
+    names=$(find "filters/core/$other" -name '*.h' | sed 's|.*/||; s|[.]|[.]|' | paste -sd '|' -)
+    forbid "filters/core/$room must not know filters/core/$other" "($names)\"" "filters/core/$room"
+  done
+  lower="$lower $room"
+done
 exit $status

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "SurfaceJet.h"
-
 #include <Eigen/Geometry>
-
 #include <cmath>
+
+#include "SurfaceJet.h"
 
 /// Jets of surfaces of revolution about y, u running down and v around as on a face, so that S_u x S_v points outwards.
 /// `radius` and `height` are the profile with its first two derivatives with respect to u.
@@ -20,9 +19,10 @@ inline mien::SurfaceJet revolutionJet(const Eigen::Vector3d& radius, const Eigen
   return jet;
 }
 
-/// A circle in the profile: at u its angle from the upward axis is `angle`, growing by `speed` radians per u. With `axisDistance`
-/// 0 the surface is a sphere, else a torus.
-inline mien::SurfaceJet circleJet(double axisDistance, double circle, double centreHeight, double angle, double speed, double v) {
+/// A circle in the profile: at u its angle from the upward axis is `angle`, growing by `speed` radians per u. With
+/// `axisDistance` 0 the surface is a sphere, else a torus.
+inline mien::SurfaceJet circleJet(double axisDistance, double circle, double centreHeight, double angle, double speed,
+                                  double v) {
   const double c = std::cos(angle), s = std::sin(angle);
   return revolutionJet({axisDistance + circle * s, circle * speed * c, -circle * speed * speed * s},
                        {centreHeight + circle * c, -circle * speed * s, -circle * speed * speed * c}, v);

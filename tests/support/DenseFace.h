@@ -1,18 +1,18 @@
 #pragma once
 
+#include <random>
+
+#include "BoundaryCurveData.h"
 #include "FaceTemplate.h"
 #include "ReferenceFace.h"
 #include "TriangleMesh.h"
-
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
-#include "BoundaryCurveData.h"
 
-#include <random>
-
-/// The generic face as a scan: its spline surface with vertices at other places than those of the curves, and landmarks that lie on it.
+/// The generic face as a scan: its spline surface with vertices at other places than those of the curves, and landmarks
+/// that lie on it.
 struct DenseFace {
   mien::TriangleMesh mesh;
   mien::FaceLandmarks landmarks;

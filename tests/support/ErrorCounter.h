@@ -1,11 +1,11 @@
 #pragma once
 
+#include <string>
+
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
-
-#include <string>
 
 /// Catches the errors that a filter and its executive report, so that expected ones can be checked.
 class ErrorCounter {

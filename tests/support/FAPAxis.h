@@ -1,8 +1,8 @@
 #pragma once
 
-#include "FAPTable.h"
-
 #include <Eigen/Core>
+
+#include "FAPTable.h"
 
 /// Where a positive value of a FAP moves its feature point, as a unit vector of the face (x to its left, y up).
 inline Eigen::Vector3d fapAxis(int fap) {

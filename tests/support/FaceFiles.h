@@ -1,14 +1,13 @@
 #pragma once
 
-#include "BoundaryCurveData.h"
+#include <functional>
+#include <string>
 
+#include "BoundaryCurveData.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkXMLPolyDataWriter.h"
-
-#include <functional>
-#include <string>
 
 /// Writes boundary curves as they are, sound or not.
 inline void writeFaceFile(const mien::FaceCurves& face, const std::string& name) {

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <cmath>
+#include <string>
+
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGReader.h"
 #include "vtkSmartPointer.h"
-
-#include <cmath>
-#include <string>
 
 inline vtkSmartPointer<vtkImageData> readPicture(const std::string& name) {
   vtkNew<vtkPNGReader> reader;

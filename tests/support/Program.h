@@ -39,7 +39,8 @@ inline Outcome runMien(const std::vector<std::string>& arguments) {
   pid_t child = 0;
   int status = -1;
   Outcome outcome;
-  if (posix_spawn(&child, argv[0], &files, nullptr, argv.data(), environment.data()) == 0 && waitpid(child, &status, 0) == child)
+  if (posix_spawn(&child, argv[0], &files, nullptr, argv.data(), environment.data()) == 0 &&
+      waitpid(child, &status, 0) == child)
     outcome.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   posix_spawn_file_actions_destroy(&files);
   outcome.output = readTextFile(outputFile);

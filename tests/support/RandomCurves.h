@@ -1,11 +1,11 @@
 #pragma once
 
+#include <cmath>
+#include <random>
+
 #include "ClosedCurves.h"
 #include "FaceCurves.h"
 #include "FaceLayout.h"
-
-#include <cmath>
-#include <random>
 
 /// A head-like stack of closed curves with random harmonics of every order: no symmetry, no smoothness to lean on.
 /// The lips (curves 21 and 22) coincide.
@@ -27,4 +27,6 @@ inline mien::FaceCurves randomFace(int pointsPerCurve = 40, unsigned seed = 1) {
 }
 
 /// The size by which errors of lengths are judged: the largest coordinate.
-inline double sizeOf(const mien::ClosedCurves& curves) { return curves.points.cwiseAbs().maxCoeff(); }
+inline double sizeOf(const mien::ClosedCurves& curves) {
+  return curves.points.cwiseAbs().maxCoeff();
+}

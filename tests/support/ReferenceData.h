@@ -10,6 +10,6 @@ inline std::string referencePath(const std::string& relative) {
   return std::string(MIEN_REFERENCE_DIR) + "/" + relative;
 }
 
-#define MIEN_REQUIRE_REFERENCE(relative)                                        \
-  if (!std::filesystem::exists(referencePath(relative)))                        \
+#define MIEN_REQUIRE_REFERENCE(relative)                 \
+  if (!std::filesystem::exists(referencePath(relative))) \
   GTEST_SKIP() << referencePath(relative) << " is not here; this test needs it"

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "DataFile.h"
 #include "FacialRegions.h"
-
-#include <gtest/gtest.h>
 
 /// The region map of the data folder.
 inline mien::FacialRegions regionMap() {

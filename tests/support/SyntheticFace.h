@@ -101,8 +101,14 @@ class SyntheticFace {
       face.features.push_back({p.left, curve, v});
       face.features.push_back({p.right, curve, 2.0 * M_PI - v});
     }
-    for (const auto& [id, curve] :
-         {std::pair{"2.2", "C22"}, {"2.3", "C22'"}, {"8.1", "C21"}, {"8.2", "C23"}, {"9.3", "C15"}, {"9.15", "C18"}, {"2.1", "C28"}, {"2.10", "C26"}})
+    for (const auto& [id, curve] : {std::pair{"2.2", "C22"},
+                                    {"2.3", "C22'"},
+                                    {"8.1", "C21"},
+                                    {"8.2", "C23"},
+                                    {"9.3", "C15"},
+                                    {"9.15", "C18"},
+                                    {"2.1", "C28"},
+                                    {"2.10", "C26"}})
       face.features.push_back({id, mien::FaceLayout::curveIndex(curve), M_PI});
   }
 };

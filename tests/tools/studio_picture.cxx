@@ -1,14 +1,10 @@
 // Draws Mien Studio's window into a PNG file, for the documentation and for looking at it:
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
-// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, tab=4, fap=53:200, a=2, file=X.fap, frame=100, range=50:120, dock=plotDock, press=fapAll, scale=0.75, wait=2000, measure.
+// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, tab=4, fap=53:200, a=2, file=X.fap,
+// frame=100, range=50:120, dock=plotDock, press=fapAll, scale=0.75, wait=2000, measure.
 
-#include "AnimationPlayer.h"
-#include "FaceModel.h"
-#include "StudioWindow.h"
-#include "Theme.h"
-
-#include <QAction>
 #include <QAbstractButton>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -18,9 +14,13 @@
 #include <QTableWidget>
 #include <QTextStream>
 #include <QToolButton>
-
 #include <algorithm>
 #include <vector>
+
+#include "AnimationPlayer.h"
+#include "FaceModel.h"
+#include "StudioWindow.h"
+#include "Theme.h"
 
 namespace {
 
@@ -60,7 +60,9 @@ QImage coarse(QImage picture) {
   return picture;
 }
 
-void click(QWidget& window, const char* name) { window.findChild<QToolButton*>(name)->click(); }
+void click(QWidget& window, const char* name) {
+  window.findChild<QToolButton*>(name)->click();
+}
 
 void showDock(QWidget& window, const QString& name) {
   window.findChild<QAction*>(name + "Action")->trigger();
@@ -108,7 +110,8 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "press") press(window, value);
   if (key == "row") chooseRow(window, value.toInt());
   if (key == "cell") clickCell(window, value);
-  if (key == "choose") window.findChild<QComboBox*>(value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
+  if (key == "choose")
+    window.findChild<QComboBox*>(value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
   if (key == "measure") measure(window);
   if (key == "wait") wait(value.toInt());
   if (key == "file") window.openAnimation(value);

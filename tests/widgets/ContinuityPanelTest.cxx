@@ -1,10 +1,3 @@
-#include "CameraFlight.h"
-#include "ContinuityTable.h"
-#include "ExportButton.h"
-#include "FaceModel.h"
-#include "FigureView.h"
-#include "StudioFixture.h"
-
 #include <vtkCamera.h>
 
 #include <QAction>
@@ -12,6 +5,13 @@
 #include <QDir>
 #include <QFile>
 #include <QToolButton>
+
+#include "CameraFlight.h"
+#include "ContinuityTable.h"
+#include "ExportButton.h"
+#include "FaceModel.h"
+#include "FigureView.h"
+#include "StudioFixture.h"
 
 namespace {
 
@@ -42,7 +42,8 @@ class ContinuityPanel : public StudioFixture {
   }
   void clickRow(int row) {
     table->scrollToItem(table->item(row, 0));
-    QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier, table->visualItemRect(table->item(row, 0)).center());
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, Qt::NoModifier,
+                      table->visualItemRect(table->item(row, 0)).center());
   }
 
   mien::ContinuityTable* table;

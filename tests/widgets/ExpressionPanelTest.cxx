@@ -1,11 +1,10 @@
+#include <QPushButton>
+#include <QSpinBox>
+#include <cmath>
+
 #include "FaceModel.h"
 #include "StudioFixture.h"
 #include "ValueSlider.h"
-
-#include <QPushButton>
-#include <QSpinBox>
-
-#include <cmath>
 
 namespace {
 
@@ -69,7 +68,8 @@ TEST_F(ExpressionPanel, SlidersMixAndTheFAPsAddUp) {
   EXPECT_TRUE(find<QPushButton>("expression_joy")->isChecked());
   EXPECT_TRUE(find<QPushButton>("expression_surprise")->isChecked());
   find<QPushButton>("expression_anger")->click();
-  EXPECT_EQ(window->model().state().expressions, (std::map<std::string, double>{{"anger", 1.0}})) << "a name chooses it alone";
+  EXPECT_EQ(window->model().state().expressions, (std::map<std::string, double>{{"anger", 1.0}}))
+      << "a name chooses it alone";
   EXPECT_EQ(find<QSpinBox>("expressionPercent_joy")->value(), 0);
 }
 

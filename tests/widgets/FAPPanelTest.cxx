@@ -1,8 +1,3 @@
-#include "FAPTable.h"
-#include "FaceModel.h"
-#include "StudioFixture.h"
-#include "ValueSlider.h"
-
 #include <QApplication>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
@@ -14,6 +9,11 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QWheelEvent>
+
+#include "FAPTable.h"
+#include "FaceModel.h"
+#include "StudioFixture.h"
+#include "ValueSlider.h"
 
 namespace {
 
@@ -104,7 +104,8 @@ TEST_F(FAPPanel, TheLockIsSeenAtEachFAPAndWorksFromTheKeyboard) {
   EXPECT_TRUE(name->text().endsWith(QChar(0x21c4)));
   QApplication::setActiveWindow(window.get());
   QTest::keyClick(window.get(), Qt::Key_M, Qt::AltModifier);
-  EXPECT_TRUE(waitUntil([this] { return !find<QCheckBox>("fapMirror")->isChecked(); })) << "a shortcut shows the button pressed first";
+  EXPECT_TRUE(waitUntil([this] { return !find<QCheckBox>("fapMirror")->isChecked(); }))
+      << "a shortcut shows the button pressed first";
   EXPECT_FALSE(name->text().endsWith(QChar(0x21c4)));
 }
 
@@ -120,7 +121,9 @@ TEST_F(FAPPanel, AllFAPsAreOneClickAway) {
     const bool expected = fap.number >= 3 && fap.hasSurface;
     EXPECT_EQ(slider != nullptr, expected) << fap.number;
     rows += slider && slider->isVisibleTo(window.get());
-    if (slider) { EXPECT_EQ(slider->isEnabled(), window->model().moves(fap.number)) << fap.number; }
+    if (slider) {
+      EXPECT_EQ(slider->isEnabled(), window->model().moves(fap.number)) << fap.number;
+    }
   }
   EXPECT_EQ(rows, 49);
   auto* eyes = find<QLabel>("fapWithoutSurface3");
@@ -168,7 +171,8 @@ TEST_F(FAPPanel, ScrollingTheListChangesNoNumber) {
   find<QToolButton>("fapAll")->click();
   auto* number = find<QDoubleSpinBox>("fapValue48");
   settle();
-  QWheelEvent wheel(QPointF(5, 5), QPointF(number->mapToGlobal(QPoint(5, 5))), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QWheelEvent wheel(QPointF(5, 5), QPointF(number->mapToGlobal(QPoint(5, 5))), {}, {0, 120}, Qt::NoButton,
+                    Qt::NoModifier, Qt::NoScrollPhase, false);
   QApplication::sendEvent(number, &wheel);
   EXPECT_EQ(number->value(), 0.0);
 }

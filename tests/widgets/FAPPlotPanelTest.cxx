@@ -1,11 +1,3 @@
-#include "AnimationPlayer.h"
-#include "ExportButton.h"
-#include "FAPPlotPanel.h"
-#include "FaceModel.h"
-#include "FigureView.h"
-#include "StudioFixture.h"
-#include "ValueSlider.h"
-
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
@@ -15,8 +7,15 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QWheelEvent>
-
 #include <cmath>
+
+#include "AnimationPlayer.h"
+#include "ExportButton.h"
+#include "FAPPlotPanel.h"
+#include "FaceModel.h"
+#include "FigureView.h"
+#include "StudioFixture.h"
+#include "ValueSlider.h"
 
 namespace {
 
@@ -78,7 +77,8 @@ TEST_F(FAPPlotPanel, TheLineFollowsTheAnimation) {
 
 TEST_F(FAPPlotPanel, TheWheelZoomsAroundThePointerAndAButtonBack) {
   const QPoint place = at(3.0);
-  QWheelEvent wheel(place, QPointF(figure->mapToGlobal(place)), {}, {0, 360}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QWheelEvent wheel(place, QPointF(figure->mapToGlobal(place)), {}, {0, 360}, Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
   QApplication::sendEvent(figure, &wheel);
   EXPECT_NEAR(panel->shownEnd() - panel->shownBegin(), 4.0 / std::pow(1.25, 3), 1e-9);
   EXPECT_NEAR(at(3.0).x(), place.x(), 2) << "what is under the pointer stays there";

@@ -1,13 +1,12 @@
-#include "AnimationPlayer.h"
-#include "FaceModel.h"
-#include "StudioFixture.h"
+#include <unistd.h>
 
 #include <QLabel>
 #include <QSpinBox>
 
-#include <unistd.h>
-
+#include "AnimationPlayer.h"
 #include "FAPText.h"
+#include "FaceModel.h"
+#include "StudioFixture.h"
 
 namespace {
 
@@ -26,7 +25,9 @@ class LiveStream : public StudioFixture {
     endStream();
     ::close(output_);
   }
-  void send(const std::string& text) { EXPECT_EQ(write(input_, text.data(), text.size()), static_cast<ssize_t>(text.size())); }
+  void send(const std::string& text) {
+    EXPECT_EQ(write(input_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
+  }
   void endStream() {
     if (input_ >= 0) ::close(input_);
     input_ = -1;

@@ -1,9 +1,3 @@
-#include "BackgroundTask.h"
-#include "ExportButton.h"
-#include "FaceModel.h"
-#include "FigureView.h"
-#include "StudioFixture.h"
-
 #include <vtkPolyData.h>
 
 #include <QAction>
@@ -15,8 +9,13 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QToolButton>
-
 #include <atomic>
+
+#include "BackgroundTask.h"
+#include "ExportButton.h"
+#include "FaceModel.h"
+#include "FigureView.h"
+#include "StudioFixture.h"
 
 namespace {
 
@@ -51,7 +50,8 @@ class SmoothingPanel : public StudioFixture {
 
 TEST_F(SmoothingPanel, DraggingTheLineSetsAAndTheFaceFollows) {
   const double before = depthSum();
-  const QPoint start = figure->pixelOf(0, 1.0, values()[0]).toPoint(), end = figure->pixelOf(0, 10.0, values()[0]).toPoint();
+  const QPoint start = figure->pixelOf(0, 1.0, values()[0]).toPoint(),
+               end = figure->pixelOf(0, 10.0, values()[0]).toPoint();
   QTest::mousePress(figure, Qt::LeftButton, Qt::NoModifier, start);
   for (int i = 1; i <= 5; ++i) {
     dragTo(figure, start + i * (end - start) / 5);
@@ -162,10 +162,12 @@ TEST(BackgroundTask, WorkThatWaitsLetsTheOldWorkFinish) {
   mien::BackgroundTask task(nullptr);
   std::vector<int> delivered;
   for (int number = 1; number <= 3; ++number)
-    task.start([&delivered, number](const mien::BackgroundTask::Progress&) {
-      QTest::qSleep(20);
-      return [&delivered, number] { delivered.push_back(number); };
-    }, mien::BackgroundTask::Before::Finishes);
+    task.start(
+        [&delivered, number](const mien::BackgroundTask::Progress&) {
+          QTest::qSleep(20);
+          return [&delivered, number] { delivered.push_back(number); };
+        },
+        mien::BackgroundTask::Before::Finishes);
   EXPECT_TRUE(QTest::qWaitFor([&] { return !task.isRunning(); }));
   EXPECT_EQ(delivered, (std::vector<int>{1, 3}));
 }

@@ -1,8 +1,3 @@
-#include "ExportButton.h"
-#include "FaceModel.h"
-#include "FigureView.h"
-#include "StudioFixture.h"
-
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -11,6 +6,11 @@
 #include <QFile>
 #include <QLabel>
 #include <QToolButton>
+
+#include "ExportButton.h"
+#include "FaceModel.h"
+#include "FigureView.h"
+#include "StudioFixture.h"
 
 namespace {
 

@@ -1,8 +1,5 @@
 #include "StudioFixture.h"
 
-#include "FaceModel.h"
-#include "MessageBar.h"
-
 #include <vtkAlgorithm.h>
 #include <vtkDataArray.h>
 #include <vtkObjectFactory.h>
@@ -15,6 +12,9 @@
 #include <QFile>
 #include <QMouseEvent>
 #include <QTextStream>
+
+#include "FaceModel.h"
+#include "MessageBar.h"
 
 namespace {
 
@@ -75,8 +75,8 @@ vtkPolyData* StudioFixture::surface() {
 }
 
 void StudioFixture::dragTo(QWidget* widget, const QPoint& position) {
-  QMouseEvent move(QEvent::MouseMove, QPointF(position), QPointF(widget->mapToGlobal(position)), Qt::NoButton, Qt::LeftButton,
-                   Qt::NoModifier);
+  QMouseEvent move(QEvent::MouseMove, QPointF(position), QPointF(widget->mapToGlobal(position)), Qt::NoButton,
+                   Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(widget, &move);
 }
 

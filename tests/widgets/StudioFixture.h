@@ -1,17 +1,16 @@
 #pragma once
 
-#include "StudioWindow.h"
+#include <gtest/gtest.h>
 
 #include <QImage>
 #include <QString>
 #include <QTest>
-
-#include <gtest/gtest.h>
-
 #include <functional>
 #include <memory>
 #include <set>
 #include <stdexcept>
+
+#include "StudioWindow.h"
 
 class vtkPolyData;
 

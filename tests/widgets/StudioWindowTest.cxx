@@ -1,8 +1,3 @@
-#include "CurveView.h"
-#include "FaceModel.h"
-#include "StudioFixture.h"
-#include "Theme.h"
-
 #include <vtkCamera.h>
 #include <vtkMath.h>
 
@@ -11,9 +6,13 @@
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QToolButton>
-
 #include <array>
 #include <cmath>
+
+#include "CurveView.h"
+#include "FaceModel.h"
+#include "StudioFixture.h"
+#include "Theme.h"
 
 namespace {
 

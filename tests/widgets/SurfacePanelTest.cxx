@@ -1,6 +1,3 @@
-#include "FaceModel.h"
-#include "StudioFixture.h"
-
 #include <vtkPolyData.h>
 
 #include <QCheckBox>
@@ -8,8 +5,10 @@
 #include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QSpinBox>
-
 #include <cmath>
+
+#include "FaceModel.h"
+#include "StudioFixture.h"
 
 namespace {
 

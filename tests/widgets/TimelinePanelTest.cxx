@@ -1,8 +1,3 @@
-#include "AnimationPlayer.h"
-#include "FaceModel.h"
-#include "StudioFixture.h"
-#include "ValueSlider.h"
-
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -14,6 +9,11 @@
 #include <QSpinBox>
 #include <QToolButton>
 #include <QUrl>
+
+#include "AnimationPlayer.h"
+#include "FaceModel.h"
+#include "StudioFixture.h"
+#include "ValueSlider.h"
 
 namespace {
 
@@ -178,7 +178,8 @@ TEST_F(TimelinePanel, FAPsWithoutSurfaceAreSaidOnceWithoutDetails) {
   }
   file.close();
   ASSERT_TRUE(window->openAnimation(name));
-  EXPECT_TRUE(message().endsWith(" was opened. It also sets FAP 23 (eyeballs), which this face has no surface for.")) << message().toStdString();
+  EXPECT_TRUE(message().endsWith(" was opened. It also sets FAP 23 (eyeballs), which this face has no surface for."))
+      << message().toStdString();
   EXPECT_FALSE(find<QToolButton>("messageMore")->isVisible());
   QTest::mouseClick(find<QToolButton>("messageClose"), Qt::LeftButton);
   window->model().showFrame(5);

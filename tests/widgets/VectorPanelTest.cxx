@@ -1,13 +1,3 @@
-#include "AnimationPlayer.h"
-#include "ExportButton.h"
-#include "FaceModel.h"
-#include "LiveMotion.h"
-#include "MotionField.h"
-#include "MotionVectorFigure.h"
-#include "StudioFixture.h"
-#include "VectorPanel.h"
-#include "VectorView.h"
-
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -20,6 +10,16 @@
 #include <QLabel>
 #include <QTemporaryDir>
 #include <QToolButton>
+
+#include "AnimationPlayer.h"
+#include "ExportButton.h"
+#include "FaceModel.h"
+#include "LiveMotion.h"
+#include "MotionField.h"
+#include "MotionVectorFigure.h"
+#include "StudioFixture.h"
+#include "VectorPanel.h"
+#include "VectorView.h"
 
 namespace {
 
@@ -52,14 +52,16 @@ class VectorPanel : public StudioFixture {
 
 TEST_F(VectorPanel, TheNeutralFaceHasNoArrows) {
   EXPECT_TRUE(picture().arrows.empty());
-  EXPECT_TRUE(find<QLabel>("vectorsNumbers")->text().startsWith("0 of ")) << find<QLabel>("vectorsNumbers")->text().toStdString();
+  EXPECT_TRUE(find<QLabel>("vectorsNumbers")->text().startsWith("0 of "))
+      << find<QLabel>("vectorsNumbers")->text().toStdString();
 }
 
 TEST_F(VectorPanel, FollowsTheFaceWhileASliderMoves) {
   setFAP(33, 200.0);
   EXPECT_TRUE(comes([this] { return shown().moved.fapValues.count(33) && !picture().arrows.empty(); }));
   const double first = largest();
-  EXPECT_NEAR(first, 200.0 * window->model().millimetresPerUnit(33), 0.2 * first) << "as far as the feature point, nearly";
+  EXPECT_NEAR(first, 200.0 * window->model().millimetresPerUnit(33), 0.2 * first)
+      << "as far as the feature point, nearly";
   setFAP(33, 400.0);
   EXPECT_TRUE(comes([&] { return largest() > 1.5 * first; }));
 }
@@ -113,7 +115,8 @@ TEST_F(VectorPanel, ADraggedRectangleIsTheRegion) {
   const size_t all = motion().result().chosen.size();
   const Eigen::AlignedBox2d frame = picture().frame;
   const Eigen::Vector2d middle = frame.center();
-  const QPoint from = view->pixelOf({frame.min().x(), frame.max().y()}).toPoint(), to = view->pixelOf({frame.max().x(), middle.y()}).toPoint();
+  const QPoint from = view->pixelOf({frame.min().x(), frame.max().y()}).toPoint(),
+               to = view->pixelOf({frame.max().x(), middle.y()}).toPoint();
   QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, from);
   dragTo(view, to);
   QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, to);
@@ -193,7 +196,8 @@ TEST_F(VectorPanel, WritesItsFigureAndNumbers) {
   ASSERT_EQ(lines.size(), static_cast<int>(motion().result().chosen.size()) + 1);
   const QList<QByteArray> row = lines[1].split(',');
   ASSERT_EQ(row.size(), 9);
-  const double length = std::sqrt(std::pow(row[5].toDouble(), 2) + std::pow(row[6].toDouble(), 2) + std::pow(row[7].toDouble(), 2));
+  const double length =
+      std::sqrt(std::pow(row[5].toDouble(), 2) + std::pow(row[6].toDouble(), 2) + std::pow(row[7].toDouble(), 2));
   EXPECT_NEAR(length, row[8].toDouble(), 1e-12);
 }
 

@@ -1,4 +1,4 @@
-#include "StudioWindow.h"
+#include <gtest/gtest.h>
 
 #include <QAction>
 #include <QCoreApplication>
@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <gtest/gtest.h>
+#include "StudioWindow.h"
 
 namespace {
 

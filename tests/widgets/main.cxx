@@ -1,8 +1,8 @@
+#include <QVTKOpenGLNativeWidget.h>
+#include <gtest/gtest.h>
+
 #include <QApplication>
 #include <QSurfaceFormat>
-#include <QVTKOpenGLNativeWidget.h>
-
-#include <gtest/gtest.h>
 
 #include "Theme.h"
 

@@ -1,9 +1,9 @@
 #include "FAPPlotFigure.h"
 
-#include "SeriesThinning.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "SeriesThinning.h"
 
 namespace mien {
 
@@ -15,7 +15,8 @@ constexpr int bins = 1000;  // four points each: finer than any screen or page
 std::pair<int, int> framesBetween(const FAPSequence& motion, double begin, double end) {
   const int last = static_cast<int>(motion.frames.size()) - 1;
   const double first = std::floor(begin * motion.framesPerSecond), after = std::ceil(end * motion.framesPerSecond);
-  return {static_cast<int>(std::clamp(first, 0.0, double(last))), static_cast<int>(std::clamp(after, 0.0, double(last)))};
+  return {static_cast<int>(std::clamp(first, 0.0, double(last))),
+          static_cast<int>(std::clamp(after, 0.0, double(last)))};
 }
 
 ChartSeries seriesOf(const FAPSequence& motion, const PlottedFAP& plotted, std::pair<int, int> frames) {
@@ -47,7 +48,8 @@ Figure fapPlotFigure(const FAPSequence& motion, const std::vector<PlottedFAP>& f
   chart.x.endsWithData = true;
   chart.y.title = "Value";
   chart.y.unit = "FAP units";
-  for (const PlottedFAP& plotted : faps) chart.series.push_back(seriesOf(motion, plotted, framesBetween(motion, begin, end)));
+  for (const PlottedFAP& plotted : faps)
+    chart.series.push_back(seriesOf(motion, plotted, framesBetween(motion, begin, end)));
   figure.title = "Facial animation parameters over time";
   figure.panels.push_back(chart);
   return figure;

@@ -12,8 +12,8 @@ struct PlottedFAP {
   int style;         ///< 0 .. 5, see ChartSeries
 };
 
-/// FAPs of an animation over time: values in FAP units from `begin` to `end` (s). What is longer than the eye can follow
-/// is thinned, with all its peaks.
+/// FAPs of an animation over time: values in FAP units from `begin` to `end` (s). What is longer than the eye can
+/// follow is thinned, with all its peaks.
 Figure fapPlotFigure(const FAPSequence& motion, const std::vector<PlottedFAP>& faps, double begin, double end);
 
 }  // namespace mien

@@ -67,11 +67,19 @@ void setDateFromEnvironment(QByteArray& pdf) {
 class FixedHashSeed {
  public:
 #if QT_VERSION < QT_VERSION_CHECK(6, 2, 0)
-  FixedHashSeed() { qSetGlobalQHashSeed(0); }
-  ~FixedHashSeed() { qSetGlobalQHashSeed(-1); }
+  FixedHashSeed() {
+    qSetGlobalQHashSeed(0);
+  }
+  ~FixedHashSeed() {
+    qSetGlobalQHashSeed(-1);
+  }
 #else
-  FixedHashSeed() { QHashSeed::setDeterministicGlobalSeed(); }
-  ~FixedHashSeed() { QHashSeed::resetRandomGlobalSeed(); }
+  FixedHashSeed() {
+    QHashSeed::setDeterministicGlobalSeed();
+  }
+  ~FixedHashSeed() {
+    QHashSeed::resetRandomGlobalSeed();
+  }
 #endif
   FixedHashSeed(const FixedHashSeed&) = delete;
   FixedHashSeed& operator=(const FixedHashSeed&) = delete;

@@ -1,0 +1,267 @@
+#include "ScanAcquisition.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "FaceAcquisition.h"
+#include "FaceRegistration.h"
+#include "HeadFit.h"
+#include "LengthUnit.h"
+#include "NumberText.h"
+#include "RadialSkin.h"
+
+namespace mien {
+
+namespace {
+
+// Bounds of what is taken for a face: doc/decisions.md.
+constexpr double leastRelief = 0.6, largestDistance = 3.5;
+constexpr double smallestScan = 180.0,
+                 largestScan = 2500.0;  // mm, diagonal of the box around a face alone, and a whole person
+constexpr double clearlyBetter = 1.5;
+constexpr double uprightWithin = 10.0 * M_PI / 180.0, nearWithin = 60.0;  // mm
+constexpr double usualEyes = 90.0;                                        // mm
+const char* const stopped = "stopped before the curves were measured";
+
+std::string shortNumber(double value) {
+  std::string text;
+  const double step = std::pow(10.0, std::floor(std::log10(std::max(std::abs(value), 1e-12))) - 2.0);
+  appendNumber(text, std::round(value / step) * step);
+  return text.substr(0, 10);
+}
+
+std::string askForUnit(double millimetres) {
+  return "; say what its lengths are in with --units mm|cm|m|inch, or how many mm one unit is with --scale" +
+         (millimetres > 0.0 ? " (--scale " + shortNumber(millimetres) + " would make the head usual in size)" : "");
+}
+
+bool any(const LandmarkTable::Given& given) {
+  return std::find(given.begin(), given.end(), true) != given.end();
+}
+
+void useUnit(const LengthUnit& unit, ScanReport& report) {
+  report.unit = unit.name;
+  report.millimetres = unit.millimetres;
+  report.unitRecognised = true;
+}
+
+std::string recogniseUnit(double eyes, ScanReport& report) {
+  const std::vector<LengthUnit> units = unitsThatFit(eyes, smallestEyeDistance, largestEyeDistance);
+  if (units.empty())
+    return "the outer eye corners (landmarks 36 and 45) lie " + shortNumber(eyes) +
+           " apart, which no head has in mm, cm, m or inches" + askForUnit(eyes > 0.0 ? usualEyes / eyes : 0.0);
+  useUnit(units.front(), report);
+  return {};
+}
+
+/// The largest part alone: skin without eyeballs and stray pieces.
+TriangleMesh skinOf(const TriangleMesh& mesh, const MeshParts& parts) {
+  std::vector<bool> wanted(static_cast<size_t>(parts.count()), false);
+  wanted[0] = true;
+  return withParts(mesh, parts, wanted);
+}
+
+/// One way to lay the reference over the scan.
+struct Trial {
+  LengthUnit unit;
+  HeadFit fit;
+
+  bool isFace() const { return fit.relief >= leastRelief && fit.distance <= largestDistance; }
+  double score() const { return fit.distance * (2.0 - fit.relief); }
+};
+
+/// Fits in all units that the size allows.
+class FaceSearch {
+ public:
+  FaceSearch(const FaceTemplate& reference, const TriangleMesh& skin, const ScanSettings& settings)
+      : reference_(reference), skin_(skin), settings_(settings) {}
+
+  std::string find(Trial& best, const Progress& progress) {
+    const double size = (skin_.vertices.colwise().maxCoeff() - skin_.vertices.colwise().minCoeff()).norm();
+    std::vector<LengthUnit> units = unitsThatFit(size, smallestScan, largestScan);
+    if (settings_.millimetres > 0.0) units = {{"", "", settings_.millimetres}};
+    if (units.empty())
+      return "the scan measures " + shortNumber(size) +
+             " from corner to corner, which no head does in mm, cm, m or inches" + askForUnit(0.0);
+    for (size_t i = 0; i < units.size(); ++i) {
+      const double n = static_cast<double>(units.size());
+      Trial trial{units[i], {}};
+      if (!fit(trial, partOf(progress, static_cast<double>(i) / n, static_cast<double>(i + 1) / n))) return stopped;
+      trials_.push_back(trial);
+    }
+    std::sort(trials_.begin(), trials_.end(), [](const Trial& a, const Trial& b) {
+      return a.isFace() != b.isFace() ? a.isFace() : a.score() < b.score();
+    });
+    best = trials_.front();
+    return judge();
+  }
+
+ private:
+  bool fit(Trial& trial, const Progress& progress) const {
+    TriangleMesh scaled = skin_;
+    scaled.vertices *= trial.unit.millimetres;
+    return fitHead(reference_, scaled, trial.fit, progress).empty();
+  }
+
+  std::string judge() const {
+    const Trial& best = trials_.front();
+    if (!best.isFace())
+      return "no face was found on the scan: the generic face lies " + shortNumber(best.fit.distance) +
+             " mm (RMS) from it at best, and their relief agrees by " + shortNumber(best.fit.relief) + " (at most " +
+             shortNumber(largestDistance) + " mm and at least " + shortNumber(leastRelief) +
+             " are needed); give the landmarks with --landmarks, or the unit with --units";
+    if (trials_.size() > 1 && trials_[1].isFace() && trials_[1].score() < clearlyBetter * best.score())
+      return "the scan may be in " + best.unit.fullName + " or in " + trials_[1].unit.fullName + askForUnit(0.0);
+    return {};
+  }
+
+  const FaceTemplate& reference_;
+  const TriangleMesh& skin_;
+  const ScanSettings& settings_;
+  std::vector<Trial> trials_;
+};
+
+/// The steps of acquireScan over what they share.
+class Acquisition {
+ public:
+  Acquisition(const CleanMesh& scan, const FaceTemplate& reference, const ScanSettings& settings, AcquiredScan& result)
+      : scan_(scan.mesh),
+        reference_(reference),
+        settings_(settings),
+        result_(result),
+        report_(result.report),
+        parts_(partsOf(scan.mesh)) {
+    report_.mergedVertices = scan.mergedVertices;
+    report_.degenerateTriangles = scan.degenerateTriangles;
+    report_.parts = parts_.count();
+    report_.millimetres = settings.millimetres;
+    for (const LengthUnit& unit : lengthUnits())
+      if (unit.millimetres == settings.millimetres) report_.unit = unit.name;
+  }
+
+  std::string place(const LandmarkTable::Given& given, const FaceLandmarks& landmarks) {
+    report_.landmarksGiven = true;
+    result_.landmarks = landmarks;
+    report_.completedLandmarks = static_cast<int>(std::count(given.begin(), given.end(), false));
+    const std::string fault = completeLandmarks(reference_.landmarks, given, result_.landmarks);
+    if (!fault.empty()) return fault;
+    return report_.millimetres > 0.0 ? std::string() : recogniseUnit(eyeDistance(result_.landmarks), report_);
+  }
+
+  /// Landmarks by fitting, in the scan's unit and frame.
+  std::string fit(FaceLandmarks& fitted, const Progress& progress) {
+    TriangleMesh skin = skinOf(scan_, parts_);
+    ScanSettings known = settings_;
+    if (report_.landmarksGiven) known.millimetres = report_.millimetres;
+    Trial best;
+    const std::string fault = FaceSearch(reference_, skin, known).find(best, partOf(progress, 0.0, 0.8));
+    if (!fault.empty()) return fault;
+    if (!(known.millimetres > 0.0)) useUnit(best.unit, report_);
+    report_.fitted = true;
+    report_.fitDistance = best.fit.distance;
+    report_.fitRelief = best.fit.relief;
+    report_.fitSize = best.fit.faceToScan.scale;
+    skin.vertices *= report_.millimetres;
+    FaceRegistration registration;
+    if (!registerFace(reference_, best.fit.faceToScan, skin, registration, partOf(progress, 0.8, 1.0)).empty())
+      return stopped;
+    fitted = reference_.landmarksOn(registration.points);
+    fitted.points /= report_.millimetres;
+    return {};
+  }
+
+  void compare(const FaceLandmarks& fitted) {
+    const Eigen::VectorXd distances = report_.millimetres * (fitted.points - result_.landmarks.points).rowwise().norm();
+    report_.landmarkRMS = std::sqrt(distances.squaredNorm() / FaceLandmarks::count);
+    report_.landmarkMaximum = distances.maxCoeff();
+  }
+
+  /// From the scan's unit and frame to those of a face.
+  void normalise() {
+    const Similarity::Points places = report_.millimetres * result_.landmarks.points;
+    const Eigen::VectorXd weights = Eigen::VectorXd::Ones(FaceLandmarks::count);
+    const Similarity motion = fitSimilarity(places, reference_.landmarks.points, weights, true);
+    report_.turned = Eigen::AngleAxisd(motion.rotation).angle();
+    const double away = (places.colwise().mean() - reference_.landmarks.points.colwise().mean()).norm();
+    report_.moved =
+        settings_.pose == ScanSettings::Pose::Moved ||
+        (settings_.pose == ScanSettings::Pose::Automatic && (report_.turned > uprightWithin || away > nearWithin));
+    report_.scanToFace.scale = report_.millimetres;
+    if (report_.moved) {
+      report_.scanToFace.rotation = motion.rotation;
+      report_.scanToFace.translation = motion.translation;
+    }
+    result_.mesh = scan_;
+    if (report_.moved || report_.millimetres != 1.0) {
+      result_.mesh.vertices = report_.scanToFace.applied(scan_.vertices);
+      result_.landmarks.points = report_.scanToFace.applied(result_.landmarks.points);
+    }
+    report_.eyes = eyeDistance(result_.landmarks);
+  }
+
+  /// Keeps the skin and what lies in its eye sockets.
+  void dropParts() {
+    std::vector<bool> wanted(static_cast<size_t>(parts_.count()), settings_.allParts);
+    wanted[0] = true;
+    for (int part = 1; part < parts_.count(); ++part)
+      if (liesInEye(report_.scanToFace(parts_.middle[part]), report_.millimetres * parts_.size[part]))
+        wanted[part] = true;
+    report_.droppedParts = static_cast<int>(std::count(wanted.begin(), wanted.end(), false));
+    if (report_.droppedParts > 0) result_.mesh = withParts(result_.mesh, parts_, wanted);
+    report_.triangles = static_cast<int>(result_.mesh.triangles.rows());
+    report_.holes = boundaryLoops(skinOf(scan_, parts_));
+  }
+
+  std::string measure() {
+    const std::string fault = acquireFace(result_.mesh, result_.landmarks, settings_.pointsPerCurve, result_.face);
+    if (fault.empty() || report_.droppedParts == 0) return fault;
+    return fault + " (" + std::to_string(report_.droppedParts) +
+           " loose parts of the scan were left out; --all-parts keeps them)";
+  }
+
+ private:
+  bool liesInEye(const Eigen::Vector3d& middle, double size) const {
+    const double eyes = eyeDistance(result_.landmarks);
+    for (const int corner : {36, 42}) {
+      const Eigen::Vector3d eye = 0.5 * (result_.landmarks[corner] + result_.landmarks[corner + 3]);
+      if ((middle - eye).norm() < 0.25 * eyes && size < 0.7 * eyes) return true;
+    }
+    return false;
+  }
+
+  const TriangleMesh& scan_;
+  const FaceTemplate& reference_;
+  const ScanSettings& settings_;
+  AcquiredScan& result_;
+  ScanReport& report_;
+  MeshParts parts_;
+};
+
+}  // namespace
+
+std::string acquireScan(const CleanMesh& scan, const LandmarkTable::Given& given, const FaceLandmarks& landmarks,
+                        const FaceTemplate& reference, const ScanSettings& settings, AcquiredScan& acquired,
+                        const Progress& progress) {
+  const std::string meshFault = describeFault(scan.mesh);
+  if (!meshFault.empty()) return meshFault;
+  AcquiredScan result;
+  Acquisition acquisition(scan, reference, settings, result);
+  const bool known = any(given);
+  FaceLandmarks fitted;
+  std::string fault =
+      known ? acquisition.place(given, landmarks) : acquisition.fit(result.landmarks, partOf(progress, 0.0, 0.9));
+  if (fault.empty() && known && settings.compareLandmarks) {
+    fault = acquisition.fit(fitted, partOf(progress, 0.0, 0.9));
+    if (fault.empty()) acquisition.compare(fitted);
+  }
+  if (!fault.empty()) return fault;
+  acquisition.normalise();
+  acquisition.dropParts();
+  if (!goesOn(progress, 0.92)) return stopped;
+  fault = acquisition.measure();
+  if (fault.empty()) acquired = std::move(result);
+  return fault;
+}
+
+}  // namespace mien

@@ -1,0 +1,150 @@
+#include "FAPCsvParser.h"
+
+#include <bitset>
+#include <utility>
+
+#include "CommaReader.h"
+#include "FAPColumn.h"
+#include "FAPFields.h"
+#include "FAPParser.h"
+#include "FrameTimes.h"
+#include "NumberText.h"
+#include "RowNumbers.h"
+
+namespace mien {
+
+namespace {
+
+constexpr std::string_view formatName = "mien fap csv ";
+constexpr std::int64_t formatVersion = 1;
+
+/// The value of "KEY=VALUE" between semicolons; the name may hold anything and comes last.
+std::string_view valueOf(std::string_view comment, std::string_view key) {
+  const std::size_t begin = comment.find(key);
+  if (begin == comment.npos) return {};
+  const std::string_view value = comment.substr(begin + key.size());
+  return bareCell(key == "; name=" ? value : value.substr(0, value.find(';')));
+}
+
+class Parser {
+ public:
+  explicit Parser(std::string_view text) : reader_(text) {}
+  std::optional<FAPParseError> parse();
+  FAPSequence sequence;
+
+ private:
+  std::string readComment(std::string_view comment);
+  std::string bindColumns();
+  std::string bindColumn(std::size_t column, const FAPColumn& fap);
+  std::string readRow();
+  std::optional<FAPParseError> error(const std::string& fault) const {
+    return FAPParseError{std::max(reader_.line(), 1), fault};
+  }
+
+  CommaReader reader_;
+  std::vector<std::pair<std::size_t, FAPColumn>> faps_;
+  std::bitset<FAPFrame::count + 1 + highLevelFields> seen_;
+  std::optional<std::size_t> frameColumn_, timeColumn_;
+  FrameTimes times_;
+  bool hasRate_ = false, warnedOfRange_ = false;
+};
+
+std::string Parser::readComment(std::string_view comment) {
+  if (comment.substr(0, formatName.size()) != formatName) return {};
+  const std::string_view version = comment.substr(formatName.size(), comment.find(';') - formatName.size());
+  if (parseWholeNumber(bareCell(version)) != formatVersion)
+    return "version " + inQuotes(bareCell(version)) + " of the table is not known; this program reads version 1";
+  const std::string_view rate = valueOf(comment, "; fps=");
+  const std::optional<double> number = parseNumber(rate);
+  if (!rate.empty() && (!number || *number < slowestFAPRate || *number > fastestFAPRate))
+    return "the frames per second are " + inQuotes(rate) + "; give a number from 0.001 to 100000";
+  hasRate_ = number.has_value();
+  if (hasRate_) sequence.framesPerSecond = *number;
+  const std::string_view fapVersion = valueOf(comment, "; version=");
+  if (fapVersion == "2.0" || fapVersion == "2.1") sequence.version = fapVersion;
+  sequence.name = valueOf(comment, "; name=");
+  return {};
+}
+
+std::string Parser::bindColumn(std::size_t column, const FAPColumn& fap) {
+  const std::size_t place = fap.field < 0 ? fap.fap : FAPFrame::count + 1 + fap.field;
+  if (seen_[place]) return reader_.columnName(column) + " gives a FAP a second time; remove one of them";
+  seen_.set(place);
+  faps_.emplace_back(column, fap);
+  return {};
+}
+
+std::string Parser::bindColumns() {
+  std::vector<std::string> unused;
+  const auto& header = reader_.header();
+  for (std::size_t column = 0; column < header.size(); ++column) {
+    std::string fault;
+    if (header[column] == "frame" || header[column] == "Frame")
+      frameColumn_ = column;
+    else if (header[column] == "time" || header[column] == "Time" || header[column] == "timestamp")
+      timeColumn_ = column;
+    else if (const auto fap = findFAPColumn(header[column]))
+      fault = bindColumn(column, *fap);
+    else
+      unused.emplace_back(header[column]);
+    if (!fault.empty()) return fault;
+  }
+  if (faps_.empty() && !frameColumn_)
+    return "there is no column of a FAP; name them FAP3 .. FAP68, or as in MPEG-4, such as open_jaw";
+  if (!unused.empty()) sequence.warnings.push_back({reader_.line(), describeUnused(unused)});
+  return {};
+}
+
+std::string Parser::readRow() {
+  std::string fault = describeWidth(reader_);
+  FAPFrame frame;
+  FAPMask mask;
+  frame.number = static_cast<double>(sequence.frames.size());
+  if (fault.empty() && frameColumn_) frame.number = numberIn(reader_, *frameColumn_, fault).value_or(frame.number);
+  if (fault.empty() && timeColumn_) {
+    const std::optional<double> time = numberIn(reader_, *timeColumn_, fault);
+    if (!time && fault.empty()) fault = reader_.columnName(*timeColumn_) + " is empty; give a time in s";
+    times_.seconds.push_back(time.value_or(0.0));
+    times_.lines.push_back(reader_.line());
+  }
+  for (const auto& [column, fap] : faps_) {
+    if (!fault.empty()) return fault;
+    const std::optional<double> value = numberIn(reader_, column, fault);
+    if (!value) continue;
+    fap.setValue(frame, *value);
+    mask.set(fap.fap - 1);
+  }
+  if (limitHighLevel(frame) && !std::exchange(warnedOfRange_, true))
+    sequence.warnings.push_back(
+        {reader_.line(), "FAP 1 or 2 has a selection, weight or flag out of its range; it was limited"});
+  sequence.frames.push_back(frame);
+  sequence.masks.push_back(mask);
+  return fault;
+}
+
+std::optional<FAPParseError> Parser::parse() {
+  std::string fault = reader_.readHeader();
+  for (const std::string_view comment : reader_.comments())
+    if (fault.empty()) fault = readComment(comment);
+  if (fault.empty()) fault = bindColumns();
+  while (fault.empty() && reader_.readRow()) fault = readRow();
+  if (fault.empty()) fault = reader_.fault();
+  if (fault.empty() && sequence.frames.empty()) fault = "there are no frames; give a row for each below the header";
+  if (!fault.empty()) return error(fault);
+  sequence.rateIsAssumed = !hasRate_;
+  if (!hasRate_ && timeColumn_)
+    if (const auto misplaced = times_.place(sequence)) return misplaced;
+  if (sequence.rateIsAssumed) sequence.warnings.push_back({1, "there is no time; 25 frames per second are assumed"});
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<FAPParseError> parseFAPCsv(std::string_view text, FAPSequence& sequence) {
+  Parser parser(text);
+  const auto error = parser.parse();
+  if (!error) sequence = std::move(parser.sequence);
+  return error;
+}
+
+}  // namespace mien

@@ -1,0 +1,32 @@
+#include "DeformationTable.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mien {
+
+DeformationTable DeformationTable::blended(const DeformationTable& other, double fraction) const {
+  DeformationTable result;
+  for (int i = 0; i < regionCount; ++i)
+    result.maps[i].coefficients = (1.0 - fraction) * maps[i].coefficients + fraction * other.maps[i].coefficients;
+  const bool known = largestDisplacement > 0.0 && other.largestDisplacement > 0.0;
+  result.largestDisplacement = known ? std::max(largestDisplacement, other.largestDisplacement) : 0.0;
+  return result;
+}
+
+DeformationTable DeformationTable::weighted(const std::vector<std::pair<DeformationTable, double>>& tables) {
+  if (tables.size() == 1 && tables.front().second == 1.0) return tables.front().first;
+  DeformationTable result;
+  double largest = 0.0;
+  bool known = true;
+  for (const auto& [table, weight] : tables) {
+    for (int i = 0; i < regionCount; ++i)
+      result.maps[i].coefficients += weight * (table.maps[i].coefficients - QuadraticMap::identity());
+    largest += std::abs(weight) * table.largestDisplacement;
+    known = known && table.largestDisplacement > 0.0;
+  }
+  result.largestDisplacement = known ? largest : 0.0;
+  return result;
+}
+
+}  // namespace mien

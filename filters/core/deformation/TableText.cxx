@@ -1,0 +1,137 @@
+#include "TableText.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <vector>
+
+#include "CommaText.h"
+#include "NumberText.h"
+
+namespace mien {
+
+namespace {
+
+using Cells = std::vector<std::string>;
+constexpr int coefficientCount = 12;
+
+std::string coefficientName(int index) {
+  return (index < 6 ? "a" : "b") + std::to_string(index % 6 + 1);
+}
+
+struct Columns {
+  std::size_t count = 0;
+  int region = -1, displacement = -1;
+  std::array<int, coefficientCount> values{}, deviations{};
+  bool hasDeviations = false;
+
+  std::string find(const Cells& header) {
+    count = header.size();
+    region = columnNamed(header, "region");
+    displacement = columnNamed(header, "displacement");
+    if (region < 0) return "the header must name the columns region, a1 .. a6 and b1 .. b6";
+    int found = 0;
+    for (int i = 0; i < coefficientCount; ++i) {
+      values[i] = columnNamed(header, coefficientName(i));
+      deviations[i] = columnNamed(header, coefficientName(i) + "_sd");
+      if (values[i] < 0) return "the header does not name column " + coefficientName(i);
+      found += deviations[i] >= 0;
+    }
+    hasDeviations = found == coefficientCount;
+    return found == 0 || hasDeviations ? "" : "give a1_sd .. b6_sd for all twelve coefficients, or for none";
+  }
+};
+
+/// Collects the rows of a table.
+struct Rows {
+  Columns columns;
+  DeformationTable table;
+  std::array<bool, DeformationTable::regionCount> seen{};
+
+  std::string add(const Cells& cells) {
+    if (cells.size() != columns.count)
+      return "there are " + std::to_string(cells.size()) + " cells under " + std::to_string(columns.count) + " columns";
+    const auto region = parseWholeNumber(cells[columns.region]);
+    if (!region || *region < 1 || *region > DeformationTable::regionCount)
+      return inQuotes(cells[columns.region]) + " is no region; regions run from 1 to 16";
+    const int index = static_cast<int>(*region) - 1;
+    if (seen[index]) return "region " + std::to_string(*region) + " is given twice; remove one of them";
+    seen[index] = true;
+    for (int i = 0; i < coefficientCount; ++i) {
+      const std::string fault = addCoefficient(cells, index, i);
+      if (!fault.empty()) return "region " + std::to_string(*region) + ": " + fault;
+    }
+    return columns.displacement < 0 ? "" : addDisplacement(cells[columns.displacement]);
+  }
+
+ private:
+  std::string addCoefficient(const Cells& cells, int region, int i) {
+    const auto value = parseNumber(cells[columns.values[i]]);
+    if (!value) return inQuotes(cells[columns.values[i]]) + " in column " + coefficientName(i) + " is no finite number";
+    table.maps[region].coefficients(i / 6, i % 6) = *value;
+    if (!columns.hasDeviations) return {};
+    const auto deviation = parseNumber(cells[columns.deviations[i]]);
+    if (!deviation || *deviation < 0.0)
+      return inQuotes(cells[columns.deviations[i]]) + " in column " + coefficientName(i) +
+             "_sd is no deviation; give a number from 0";
+    table.deviations->at(region)(i / 6, i % 6) = *deviation;
+    return {};
+  }
+
+  std::string addDisplacement(const std::string& cell) {
+    const auto value = parseNumber(cell);
+    if (!value || *value < 0.0) return inQuotes(cell) + " is no displacement; give pupil units from 0";
+    table.largestDisplacement = std::max(table.largestDisplacement, *value);
+    return {};
+  }
+};
+
+bool nextLine(std::istringstream& stream, std::string& line, int& number) {
+  while (std::getline(stream, line)) {
+    ++number;
+    if (number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);
+    const auto first = line.find_first_not_of(" \t\r,");
+    if (first != std::string::npos && line[first] != '#') return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string parseTable(const std::string& text, DeformationTable& table) {
+  std::istringstream stream(text);
+  std::string line;
+  int number = 0;
+  if (!nextLine(stream, line, number)) return "1: the file is empty; give a header and 16 rows";
+  Rows rows;
+  std::string fault = rows.columns.find(splitAtCommas(line));
+  if (rows.columns.hasDeviations) rows.table.deviations.emplace();
+  while (fault.empty() && nextLine(stream, line, number)) fault = rows.add(splitAtCommas(line));
+  const auto missing = std::find(rows.seen.begin(), rows.seen.end(), false);
+  if (fault.empty() && missing != rows.seen.end())
+    fault = "region " + std::to_string(missing - rows.seen.begin() + 1) + " is missing; a table has 16";
+  if (!fault.empty()) return std::to_string(number) + ": " + fault;
+  table = rows.table;
+  return {};
+}
+
+std::string writeTable(const DeformationTable& table, const std::string& comment) {
+  std::istringstream lines(comment);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) text += "# " + line + "\n";
+  text += "region";
+  for (int i = 0; i < coefficientCount; ++i) text += "," + coefficientName(i);
+  for (int i = 0; table.deviations && i < coefficientCount; ++i) text += "," + coefficientName(i) + "_sd";
+  text += table.largestDisplacement > 0.0 ? ",displacement\n" : "\n";
+  for (int region = 0; region < DeformationTable::regionCount; ++region) {
+    text += std::to_string(region + 1);
+    for (int i = 0; i < coefficientCount; ++i) appendNumber(text += ",", table.maps[region].coefficients(i / 6, i % 6));
+    for (int i = 0; table.deviations && i < coefficientCount; ++i)
+      appendNumber(text += ",", table.deviations->at(region)(i / 6, i % 6));
+    if (table.largestDisplacement > 0.0) appendNumber(text += ",", table.largestDisplacement);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace mien
