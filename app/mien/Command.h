@@ -28,5 +28,6 @@ void addTextureCommand(CLI::App& program);
 void addLodCommand(CLI::App& program);
 void addFatCommand(CLI::App& program);
 void addFdtCommand(CLI::App& program);
+void addFigureCommand(CLI::App& program);
 
 }  // namespace mien

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <set>
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -10,5 +12,12 @@ namespace mien {
 
 /// The command as it was asked for, so that what it made can be made again: "mien vectors --expression joy -o joy.svg".
 std::string commandText(const CLI::App& command);
+
+/// The command with other words in place of its positional ones and without some options (long names).
+std::string commandText(const CLI::App& command, const std::vector<std::string>& positionals,
+                        const std::set<std::string>& without);
+
+/// The words of such a text, without their quotes.
+std::vector<std::string> commandWords(const std::string& text);
 
 }  // namespace mien

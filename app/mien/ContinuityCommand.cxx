@@ -5,10 +5,9 @@
 #include "Command.h"
 #include "ContinuityFigure.h"
 #include "Failure.h"
-#include "MeasuredFace.h"
+#include "MeasureReports.h"
 #include "PipelineErrors.h"
 #include "PolyDataFile.h"
-#include "ReportOptions.h"
 #include "TableRows.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -30,8 +29,7 @@ using json = nlohmann::ordered_json;
 struct Options {
   MeasuredFace face;
   ReportOptions report{{"vtp"}};
-  std::string measure = "g1";
-  int samples = 400;
+  ContinuityChoice choice;
 };
 
 /// What a chart shows: the array of the filter and its axis.
@@ -106,12 +104,13 @@ json withScheme(const std::string& scheme, const json& row) {
 }
 
 /// One scheme's part of the report.
-void measureScheme(const Options& options, const std::string& scheme, Report& report, std::vector<SeamProfile>& drawn) {
+void measureScheme(const MeasuredFace& face, const std::string& scheme, const ContinuityChoice& choice,
+                   const ReportOptions& files, Report& report, std::vector<SeamProfile>& drawn) {
   vtkNew<vtkPatchContinuityFilter> filter;
   PipelineErrors errors;
   errors.observe(filter);
-  options.face.connect(filter, scheme);
-  filter->SetNumberOfSamples(options.samples);
+  face.connect(filter, scheme);
+  filter->SetNumberOfSamples(choice.samples);
   filter->Update();
   if (!errors.first().empty()) throw ValueFailure(errors.first());
   const json rows = tableRows(filter->GetSummary());
@@ -121,12 +120,12 @@ void measureScheme(const Options& options, const std::string& scheme, Report& re
   }
   report.readable.push_back(withScheme(scheme, part(rows.back(), true)));
   report.readable.back()["seam"] = "frontal";
-  json about = options.face.description(scheme);
+  json about = face.description(scheme);
   describe(rows, about);
   report.json["schemes"].push_back(about);
-  const std::vector<SeamProfile> own = profiles(filter->GetOutput(), scheme, measures.at(options.measure));
+  const std::vector<SeamProfile> own = profiles(filter->GetOutput(), scheme, measures.at(choice.measure));
   drawn.insert(drawn.end(), own.begin(), own.end());
-  for (const std::string& name : options.report.outputs("vtp")) writePolyData(filter->GetOutput(), name);
+  for (const std::string& name : files.outputs("vtp")) writePolyData(filter->GetOutput(), name);
 }
 
 void run(Options& options) {
@@ -134,29 +133,34 @@ void run(Options& options) {
   options.face.update();
   if (options.face.schemes().size() > 1 && !options.report.outputs("vtp").empty())
     throw ValueFailure("a .vtp file holds the seams of one scheme; choose one with --scheme");
-  Report report;
-  report.rows = json::array();
-  std::vector<SeamProfile> drawn;
-  for (const std::string& scheme : options.face.schemes()) measureScheme(options, scheme, report, drawn);
-  if (options.face.schemes().size() == 1) report.json = json(report.json["schemes"][0]);
-  report.figure = [&] {
-    const Measure& measure = measures.at(options.measure);
-    ChartAxis axis{measure.title, measure.unit, ChartAxis::Scale::Linear};
-    Figure figure = continuityFigure(drawn, axis);
-    figure.note = options.face.note() + "; " + std::to_string(options.samples) + " samples per seam";
-    return figure;
-  };
-  options.report.deliver(report, "mien continuity");
+  options.report.deliver(continuityReport(options.face, options.choice, options.report), "mien continuity");
 }
 
 }  // namespace
+
+Report continuityReport(const MeasuredFace& face, const ContinuityChoice& choice, const ReportOptions& files) {
+  Report report;
+  report.rows = json::array();
+  std::vector<SeamProfile> drawn;
+  for (const std::string& scheme : face.schemes()) measureScheme(face, scheme, choice, files, report, drawn);
+  if (face.schemes().size() == 1) report.json = json(report.json["schemes"][0]);
+  const std::string note = face.note() + "; " + std::to_string(choice.samples) + " samples per seam";
+  report.figure = [drawn, note, measure = measures.at(choice.measure)] {
+    Figure figure = continuityFigure(drawn, {measure.title, measure.unit, ChartAxis::Scale::Linear});
+    figure.note = note;
+    return figure;
+  };
+  return report;
+}
 
 void addContinuityCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("continuity", "Measure how smoothly the patches of a face meet");
   options->report.addTo(*command);
-  command->add_option("--samples", options->samples, "Per seam")->capture_default_str()->check(CLI::Range(3, 20000));
-  command->add_option("--measure", options->measure, "In the chart: g0, g1, c1, g2, c2")
+  command->add_option("--samples", options->choice.samples, "Per seam")
+      ->capture_default_str()
+      ->check(CLI::Range(3, 20000));
+  command->add_option("--measure", options->choice.measure, "In the chart: g0, g1, c1, g2, c2")
       ->capture_default_str()
       ->check(CLI::IsMember(measures));
   options->face.addTo(*command);

@@ -152,21 +152,25 @@ void FaceOptions::fillFAPValues(FaceState& state) const {
   }
 }
 
-void FaceOptions::fillTexture(FaceState& state) const {
-  if (texture_.empty() && !textureMesh_.empty())
-    throw ValueFailure("--texture-mesh belongs to a photograph; give --texture");
-  state.texture = texture_;
-  state.textureMesh = textureMesh_;
-  const size_t colon = texture_.rfind(':');
-  if (colon != std::string::npos && fileEnding(texture_) == "csv") {
-    if (!textureMesh_.empty()) throw ValueFailure("--texture and --texture-mesh both name a mesh; give one");
-    state.texture = texture_.substr(0, colon);
-    state.textureMesh = texture_.substr(colon + 1);
+void setTexture(const std::string& text, FaceState& state) {
+  state.texture = text;
+  const size_t colon = text.rfind(':');
+  if (colon != std::string::npos && fileEnding(text) == "csv") {
+    if (!state.textureMesh.empty()) throw ValueFailure("--texture and --texture-mesh both name a mesh; give one");
+    state.texture = text.substr(0, colon);
+    state.textureMesh = text.substr(colon + 1);
   }
   if (state.texture != paintedTexture) return;
   state.texture = findDataFile("textures/painted.png");
   if (state.texture.empty())
     throw FileFailure("textures/painted.png: the texture that comes with Mien is not installed; give an IMAGE");
+}
+
+void FaceOptions::fillTexture(FaceState& state) const {
+  if (texture_.empty() && !textureMesh_.empty())
+    throw ValueFailure("--texture-mesh belongs to a photograph; give --texture");
+  state.textureMesh = textureMesh_;
+  setTexture(texture_, state);
 }
 
 void FaceOptions::fillDeformation(FaceState& state) const {

@@ -62,6 +62,9 @@ class FaceOptions {
   bool noRemainder_ = false, uniformRows_ = false;
 };
 
+/// Sets photograph and mesh from IMAGE, IMAGE:MESH.csv or "painted". Throws a ValueFailure or a FileFailure.
+void setTexture(const std::string& text, FaceState& state);
+
 /// Reads the curves and the animation file and checks the pipeline's state against them: a FileFailure or a
 /// ValueFailure.
 void checkOrThrow(FacePipeline& pipeline);

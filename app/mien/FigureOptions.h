@@ -24,6 +24,7 @@ class FigureOptions {
   void check() const;
 
   double width() const;  ///< mm
+  double dotsPerInch() const;
   const std::string& theme() const { return theme_; }
 
   /// Whether the file's ending is that of a figure.
@@ -34,8 +35,6 @@ class FigureOptions {
              const std::string& title, const std::string& description) const;
 
  private:
-  double dotsPerInch() const;
-
   std::string width_, theme_ = "light", dotsPerInch_ = "300";
 };
 

@@ -55,6 +55,17 @@ void MeasuredFace::chooseSchemes() {
 void MeasuredFace::update() {
   chooseSchemes();
   options_.apply(*pipeline_);
+  updateCurves();
+}
+
+void MeasuredFace::set(const FaceState& state, const std::vector<std::string>& schemes) {
+  schemes_ = schemes;
+  pipeline_->setState(state);
+  checkOrThrow(*pipeline_);
+  updateCurves();
+}
+
+void MeasuredFace::updateCurves() {
   const std::string fault = pipeline_->updateCurves();
   if (!fault.empty()) throw FileFailure(fault);
   printRemarks(*pipeline_);

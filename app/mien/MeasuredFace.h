@@ -36,6 +36,9 @@ class MeasuredFace {
   /// Reads and checks everything: a FileFailure or a ValueFailure.
   void update();
 
+  /// In place of options: this face in these schemes, read and checked.
+  void set(const FaceState& state, const std::vector<std::string>& schemes);
+
   const FaceState& state() const;
 
   /// At least one.
@@ -52,6 +55,7 @@ class MeasuredFace {
 
  private:
   void chooseSchemes();
+  void updateCurves();
 
   FaceOptions options_;
   std::string scheme_;

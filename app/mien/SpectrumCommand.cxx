@@ -5,9 +5,8 @@
 #include "Command.h"
 #include "CsvText.h"
 #include "Failure.h"
-#include "MeasuredFace.h"
+#include "MeasureReports.h"
 #include "PipelineErrors.h"
-#include "ReportOptions.h"
 #include "SpectrumFigure.h"
 #include "TableRows.h"
 #include "vtkNew.h"
@@ -24,7 +23,6 @@ struct Options {
   MeasuredFace face;
   ReportOptions report;
   std::string toleranceText;
-  std::optional<double> tolerance;  ///< mm
 };
 
 /// The mode's number, where it has one.
@@ -66,17 +64,18 @@ void findSmallestCount(vtkPDEModeFilter* filter, const std::string& scheme, doub
                            " mm RMS of the surface of all modes; smallest N = " + std::to_string(count));
 }
 
-SchemeSpectrum measureScheme(const Options& options, const std::string& scheme, Report& report) {
+SchemeSpectrum measureScheme(const MeasuredFace& face, const std::string& scheme,
+                             const std::optional<double>& tolerance, Report& report) {
   vtkNew<vtkPDEModeFilter> filter;
   PipelineErrors errors;
   errors.observe(filter);
-  options.face.connect(filter, scheme);
-  filter->SetResolution(options.face.state().rows, options.face.state().columns);
-  filter->SetUniformRows(options.face.state().uniformRows);
+  face.connect(filter, scheme);
+  filter->SetResolution(face.state().rows, face.state().columns);
+  filter->SetUniformRows(face.state().uniformRows);
   filter->Update();
-  json about = options.face.description(scheme);
+  json about = face.description(scheme);
   about["harmonics"] = about["modes"];
-  if (options.tolerance && errors.first().empty()) findSmallestCount(filter, scheme, *options.tolerance, about, report);
+  if (tolerance && errors.first().empty()) findSmallestCount(filter, scheme, *tolerance, about, report);
   if (!errors.first().empty()) throw ValueFailure(errors.first());
   SchemeSpectrum spectrum{scheme, {}};
   about["modes"] = json::array();
@@ -92,24 +91,30 @@ SchemeSpectrum measureScheme(const Options& options, const std::string& scheme, 
 
 void run(Options& options) {
   options.report.check();
-  if (!options.toleranceText.empty()) options.tolerance = parseMillimetres("--tolerance", options.toleranceText);
+  std::optional<double> tolerance;  // mm
+  if (!options.toleranceText.empty()) tolerance = parseMillimetres("--tolerance", options.toleranceText);
   options.face.update();
-  Report report;
-  report.rows = json::array();
-  std::vector<SchemeSpectrum> spectra;
-  for (const std::string& scheme : options.face.schemes()) spectra.push_back(measureScheme(options, scheme, report));
-  if (spectra.size() == 1) report.json = json(report.json["schemes"][0]);
-  report.figure = [&] {
-    Figure figure = spectrumFigure(spectra, options.tolerance);
-    for (const std::string& remark : report.remarks) figure.caption += " " + remark + ".";
-    const FaceState& state = options.face.state();
-    figure.note = options.face.note() + "; " + std::to_string(state.rows) + " x " + std::to_string(state.columns);
-    return figure;
-  };
-  options.report.deliver(report, "mien spectrum");
+  options.report.deliver(spectrumReport(options.face, tolerance), "mien spectrum");
 }
 
 }  // namespace
+
+Report spectrumReport(const MeasuredFace& face, const std::optional<double>& tolerance) {
+  Report report;
+  report.rows = json::array();
+  std::vector<SchemeSpectrum> spectra;
+  for (const std::string& scheme : face.schemes()) spectra.push_back(measureScheme(face, scheme, tolerance, report));
+  if (spectra.size() == 1) report.json = json(report.json["schemes"][0]);
+  const FaceState& state = face.state();
+  const std::string note = face.note() + "; " + std::to_string(state.rows) + " x " + std::to_string(state.columns);
+  report.figure = [spectra, tolerance, note, remarks = report.remarks] {
+    Figure figure = spectrumFigure(spectra, tolerance);
+    for (const std::string& remark : remarks) figure.caption += " " + remark + ".";
+    figure.note = note;
+    return figure;
+  };
+  return report;
+}
 
 void addSpectrumCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();

@@ -7,11 +7,10 @@
 #include "Command.h"
 #include "CsvText.h"
 #include "Failure.h"
-#include "MeasuredFace.h"
+#include "MeasureReports.h"
 #include "MeshFile.h"
 #include "NumberRange.h"
 #include "PipelineErrors.h"
-#include "ReportOptions.h"
 #include "SweepFigure.h"
 #include "TableRows.h"
 #include "WatchedUpdate.h"
@@ -28,17 +27,17 @@ using json = nlohmann::ordered_json;
 struct Options {
   MeasuredFace face;
   ReportOptions report;
-  std::string range = "0.1:10:21log", referenceSmoothing = "1", scan;
+  SweepChoice choice;
 };
 
-void setOptions(const Options& options, vtkPDEParameterSweep* sweep) {
+void setOptions(const MeasuredFace& face, const SweepChoice& choice, vtkPDEParameterSweep* sweep) {
   std::vector<double> values;
-  const std::string fault = parseNumberRange(options.range, values);
+  const std::string fault = parseNumberRange(choice.range, values);
   if (!fault.empty()) throw ValueFailure("-a: " + fault);
   sweep->SetSmoothingValues(values);
-  sweep->SetReferenceSmoothing(parseNumber("--reference-a", options.referenceSmoothing));
-  sweep->SetResolution(options.face.state().rows, options.face.state().columns);
-  for (const std::string& scheme : options.face.schemes()) sweep->AddScheme(scheme);
+  sweep->SetReferenceSmoothing(parseNumber("--reference-a", choice.referenceSmoothing));
+  sweep->SetResolution(face.state().rows, face.state().columns);
+  for (const std::string& scheme : face.schemes()) sweep->AddScheme(scheme);
 }
 
 /// The row as a record of filters/core, for the figure.
@@ -67,10 +66,11 @@ json sampleOf(json row) {
   return row;
 }
 
-std::map<std::string, double> describeBreakdowns(const Options& options, vtkPDEParameterSweep* sweep, Report& report) {
+std::map<std::string, double> describeBreakdowns(const MeasuredFace& face, vtkPDEParameterSweep* sweep,
+                                                 Report& report) {
   std::map<std::string, double> breakdowns;
   report.json["breakdowns"] = json::array();
-  for (const std::string& scheme : options.face.schemes()) {
+  for (const std::string& scheme : face.schemes()) {
     const double a = sweep->GetBreakdown(scheme);
     const std::string reason = sweep->GetBreakdownReason(scheme);
     report.json["breakdowns"].push_back(
@@ -83,13 +83,12 @@ std::map<std::string, double> describeBreakdowns(const Options& options, vtkPDEP
   return breakdowns;
 }
 
-Report reportOf(const Options& options, vtkPDEParameterSweep* sweep) {
-  const FaceState& state = options.face.state();
+Report reportOf(const MeasuredFace& face, const SweepChoice& choice, vtkPDEParameterSweep* sweep) {
+  const FaceState& state = face.state();
   Report report;
-  report.json = options.face.description(options.face.schemes().front());
+  report.json = face.description(face.schemes().front());
   report.json.erase("a");
-  report.json["scheme"] =
-      options.face.schemes().size() == 1 ? json(options.face.schemes().front()) : json(options.face.schemes());
+  report.json["scheme"] = face.schemes().size() == 1 ? json(face.schemes().front()) : json(face.schemes());
   report.json["reference_a"] = sweep->GetReferenceSmoothing();
   report.json["rows"] = state.rows;
   report.json["columns"] = state.columns;
@@ -101,10 +100,9 @@ Report reportOf(const Options& options, vtkPDEParameterSweep* sweep) {
     report.readable.push_back(withoutReason(row));
     report.json["samples"].push_back(sampleOf(row));
   }
-  const std::map<std::string, double> breakdowns = describeBreakdowns(options, sweep, report);
-  const std::string note = options.face.note(false) + "; " + std::to_string(state.rows) + " x " +
-                           std::to_string(state.columns) +
-                           (options.scan.empty() ? "" : "; distance to " + options.scan);
+  const std::map<std::string, double> breakdowns = describeBreakdowns(face, sweep, report);
+  const std::string note = face.note(false) + "; " + std::to_string(state.rows) + " x " +
+                           std::to_string(state.columns) + (choice.scan.empty() ? "" : "; distance to " + choice.scan);
   report.figure = [records, breakdowns, note, reference = sweep->GetReferenceSmoothing()] {
     Figure figure = sweepFigure(records, breakdowns, reference);
     figure.note = note;
@@ -116,18 +114,22 @@ Report reportOf(const Options& options, vtkPDEParameterSweep* sweep) {
 void run(Options& options) {
   options.report.check();
   options.face.update();
-  vtkNew<vtkPDEParameterSweep> sweep;
-  PipelineErrors errors;
-  errors.observe(sweep);
-  options.face.connect(sweep, options.face.schemes().front());
-  setOptions(options, sweep);
-  if (!options.scan.empty()) sweep->SetReferenceData(readMesh(options.scan));
-  updateWatched(sweep, "sweep");
-  if (!errors.first().empty()) throw ValueFailure(errors.first());
-  options.report.deliver(reportOf(options, sweep), "mien sweep");
+  options.report.deliver(sweepReport(options.face, options.choice), "mien sweep");
 }
 
 }  // namespace
+
+Report sweepReport(const MeasuredFace& face, const SweepChoice& choice) {
+  vtkNew<vtkPDEParameterSweep> sweep;
+  PipelineErrors errors;
+  errors.observe(sweep);
+  face.connect(sweep, face.schemes().front());
+  setOptions(face, choice, sweep);
+  if (!choice.scan.empty()) sweep->SetReferenceData(readMesh(choice.scan));
+  updateWatched(sweep, "sweep");
+  if (!errors.first().empty()) throw ValueFailure(errors.first());
+  return reportOf(face, choice, sweep);
+}
 
 void addSweepCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
@@ -135,12 +137,12 @@ void addSweepCommand(CLI::App& program) {
   options->report.addTo(*command);
   options->face.setDefaultResolution(112, 80);
   options->face.addWithoutSmoothing(*command);
-  command->add_option("-a,--a,--smoothing", options->range, "Values of a: 0.5,1,2 or 0.1:100:50log or 0.1:1:10")
+  command->add_option("-a,--a,--smoothing", options->choice.range, "Values of a: 0.5,1,2 or 0.1:100:50log or 0.1:1:10")
       ->capture_default_str()
       ->group("Face");
-  command->add_option("--reference-a", options->referenceSmoothing, "The a that departures are measured from")
+  command->add_option("--reference-a", options->choice.referenceSmoothing, "The a that departures are measured from")
       ->capture_default_str();
-  command->add_option("--reference", options->scan, "Mesh that distances are measured to, such as a scan");
+  command->add_option("--reference", options->choice.scan, "Mesh that distances are measured to, such as a scan");
   command->footer(
       "Example: mien sweep --scheme all --a 0.1:100:50log -o sweep.csv -o sweep.svg\n"
       "Area, departure from the surface at the reference a, miss of the curves, Lebesgue constant, largest angle at a "

@@ -38,6 +38,7 @@ void addCommands(CLI::App& program) {
   mien::addLodCommand(program);
   mien::addFatCommand(program);
   mien::addFdtCommand(program);
+  mien::addFigureCommand(program);
 }
 
 /// A first argument that is neither an option nor a command, which CLI11 would only call missing.

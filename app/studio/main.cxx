@@ -5,10 +5,12 @@
 #include <QSurfaceFormat>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 #include "AnimationPlayer.h"
 #include "StudioWindow.h"
 #include "Theme.h"
+#include "WindowPicture.h"
 
 namespace {
 
@@ -37,12 +39,18 @@ void name() {
   QCoreApplication::setApplicationVersion(MIEN_VERSION);
 }
 
+struct Options {
+  QCommandLineOption play = {"play", "Play the file at once; without a file, the demonstration."};
+  QCommandLineOption state = {"state", "Shows the face of this file, as figures carry it.", "FILE.json"};
+  QCommandLineOption picture = {"picture", "Writes a picture of the window and ends.", "FILE.png"};
+};
+
 /// Reads the arguments, and ends the program after help or version.
-void read(QCommandLineParser& arguments, const QCommandLineOption& play, const QCoreApplication& application) {
+void read(QCommandLineParser& arguments, const Options& options, const QCoreApplication& application) {
   arguments.setApplicationDescription("Shows and animates a PDE face.");
   arguments.addPositionalArgument(
       "FILE.fap", "A facial animation to open, .fap or .csv; - plays a .fap stream from standard input.", "[FILE.fap]");
-  arguments.addOption(play);
+  arguments.addOptions({options.play, options.state, options.picture});
   arguments.addHelpOption();
   arguments.addVersionOption();
   arguments.process(application);
@@ -53,8 +61,8 @@ void read(QCommandLineParser& arguments, const QCommandLineOption& play, const Q
 int main(int argc, char** argv) {
   name();
   QCommandLineParser arguments;
-  const QCommandLineOption play("play", "Play the file at once; without a file, the demonstration.");
-  if (asksForText(argc, argv)) read(arguments, play, QCoreApplication(argc, argv));
+  const Options options;
+  if (asksForText(argc, argv)) read(arguments, options, QCoreApplication(argc, argv));
   QSurfaceFormat::setDefaultFormat(
       QVTKOpenGLNativeWidget::defaultFormat());  // before the application, or views stay black
   QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
@@ -65,17 +73,24 @@ int main(int argc, char** argv) {
   const QtMessageHandler usual = qInstallMessageHandler(sayWithoutDisplay);
   QApplication application(argc, argv);
   qInstallMessageHandler(usual);
-  read(arguments, play, application);
+  read(arguments, options, application);
 
   mien::Theme::apply(mien::Theme::Kind::Light, application);
   mien::StudioWindow window;
   window.show();
+  if (arguments.isSet(options.state)) {
+    const QString fault = mien::WindowPicture::show(window, arguments.value(options.state));
+    if (!fault.isEmpty()) return std::fprintf(stderr, "mien-studio: %s\n", qPrintable(fault)), EXIT_FAILURE;
+  }
+  std::unique_ptr<mien::WindowPicture> picture;
+  if (arguments.isSet(options.picture))
+    picture = std::make_unique<mien::WindowPicture>(window, arguments.value(options.picture));
   const QStringList files = arguments.positionalArguments();
   if (!files.isEmpty() && files.first() == "-") {
     window.playStream(0);
   } else if (!files.isEmpty()) {
-    if (window.openAnimation(files.first()) && arguments.isSet(play)) window.player().play();
-  } else if (arguments.isSet(play)) {
+    if (window.openAnimation(files.first()) && arguments.isSet(options.play)) window.player().play();
+  } else if (arguments.isSet(options.play)) {
     window.playDemonstration();
   }
   return QApplication::exec();

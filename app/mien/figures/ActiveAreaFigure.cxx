@@ -1,0 +1,99 @@
+#include <algorithm>
+
+#include "CatalogueFigures.h"
+#include "CurveDrawing.h"
+#include "FaceLayout.h"
+#include "FigureContext.h"
+#include "MotionPanel.h"
+#include "PlaneDrawingPainter.h"
+#include "PlatePainter.h"
+
+namespace mien {
+
+namespace {
+
+constexpr const char* movedCurve = "C6";
+constexpr double value = 300.0;        // FAP units
+constexpr double visibleShare = 0.02;  // of the largest motion: less is no part of the active area
+constexpr double frontal[2] = {0.5 * M_PI, 1.5 * M_PI};
+
+FaceState raisedBrows(const FaceState& rest) {
+  FaceState state = rest;
+  for (int fap = 31; fap <= 36; ++fap) state.fapValues[fap] += value;
+  return state;
+}
+
+/// First and last row of the grid in which something moves.
+std::array<int, 2> activeRows(const MotionField& field) {
+  const Eigen::VectorXd length = field.magnitudes();
+  std::array<int, 2> rows = {static_cast<int>(length.size()), 0};
+  for (int i = 0; i < length.size(); ++i) {
+    if (length[i] < visibleShare * length.maxCoeff()) continue;
+    rows[0] = std::min(rows[0], i / field.columns);
+    rows[1] = std::max(rows[1], i / field.columns);
+  }
+  return rows;
+}
+
+/// The frontal half of a row of the grid, before or after the motion.
+QPolygonF gridLine(const MotionField& field, int row, bool moved) {
+  QPolygonF line;
+  for (int i = row * field.columns; i < (row + 1) * field.columns; ++i) {
+    if (field.v[i] < frontal[0] || field.v[i] > frontal[1]) continue;
+    const Eigen::RowVector3d point = field.origins.row(i) + (moved ? 1.0 : 0.0) * field.vectors.row(i);
+    line << QPointF(point.x(), point.y());
+  }
+  return line;
+}
+
+/// The strip of the surface that moves, and the lines of the grid in it.
+void addActiveArea(PlaneDrawing& drawing, const MotionField& field, bool moved) {
+  const auto [first, last] = activeRows(field);
+  QPolygonF area = gridLine(field, first, moved);
+  const QPolygonF lower = gridLine(field, last, moved);
+  std::copy(lower.rbegin(), lower.rend(), std::back_inserter(area));
+  PlaneStroke fill, line;
+  fill.width = 0.0;
+  fill.fill = QColor(86, 180, 233, 60);
+  line.width = 0.3;
+  line.color = QColor("#56b4e9");
+  drawing.lines.push_back({area, fill, true});
+  for (int row = first; row <= last; ++row) drawing.lines.push_back({gridLine(field, row, moved), line});
+}
+
+PlaneDrawing areaDrawing(const ClosedCurves& curves, const MotionField& field, bool moved) {
+  PlaneDrawing drawing;
+  addActiveArea(drawing, field, moved);
+  CurveDrawing(curves).addLines(drawing, [](int curve) {
+    PlaneStroke stroke;
+    const bool isMoved = curve == FaceLayout::curveIndex(movedCurve);
+    stroke.width = isMoved ? 1.2 : 0.45;
+    if (isMoved) stroke.color = QColor("#d55e00");
+    return stroke;
+  });
+  return drawing;
+}
+
+}  // namespace
+
+FigureDrawing drawActiveArea(FigureContext& context) {
+  FaceState rest = context.state();
+  rest.rows = std::max(rest.rows, 56);
+  const FaceState raised = raisedBrows(rest);
+  const MotionField field = context.motion(raised, rest);
+  const PlaneDrawing before = areaDrawing(context.curves(rest).curves, field, false);
+  const PlaneDrawing after = areaDrawing(context.curves(raised).curves, field, true);
+  const QRectF shown = before.bounds().united(after.bounds());
+  Plate plate;
+  plate.columns = context.settings().width < 120.0 ? 1 : 3;
+  MotionVectorOptions options = context.vectorOptions();
+  options.width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
+  plate.panels = {drawingPanel("Before", before, shown), drawingPanel("After", after, shown),
+                  motionPanel("Motion of the active area", {{field, ""}}, options)};
+  plate.caption =
+      "One boundary curve, C6 (orange), is moved by FAPs 31 to 36 = 300; blue: the rows of the surface that "
+      "move with it by more than 2 % of its own motion.";
+  return context.drawn(plate);
+}
+
+}  // namespace mien

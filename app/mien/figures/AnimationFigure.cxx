@@ -1,0 +1,80 @@
+#include "CatalogueFigures.h"
+#include "CurveDrawing.h"
+#include "FaceMotion.h"
+#include "FigureContext.h"
+#include "FrameChoice.h"
+#include "MotionPanel.h"
+#include "PanelRow.h"
+#include "PlaneDrawingPainter.h"
+
+namespace mien {
+
+namespace {
+
+constexpr int frames = 5;
+constexpr double shape = 1.28;  // height over width of a face
+constexpr int fineRows = 164, fineColumns = 160;
+
+PlatePanel curveRow(FigureContext& context, const std::vector<FaceState>& states) {
+  std::vector<PlaneDrawing> drawings(states.size());
+  QRectF shown;
+  PlaneStroke thin;
+  thin.width = 0.4;
+  for (size_t i = 0; i < states.size(); ++i) {
+    CurveDrawing(context.curves(states[i]).curves).addLines(drawings[i], [&](int) { return thin; });
+    shown = shown.united(drawings[i].bounds());
+  }
+  std::vector<PlatePanel> panels;
+  for (size_t i = 0; i < states.size(); ++i)
+    panels.push_back(drawingPanel(frameHeading(states[i]), drawings[i], shown));
+  return panelRow("Boundary curves", panels, context.innerWidth());
+}
+
+PlatePanel vectorRow(FigureContext& context, const std::vector<FaceState>& states) {
+  std::vector<MotionVectorPanel> fields;
+  for (FaceState state : states) {
+    state.rows = 56;
+    state.columns = 40;
+    fields.push_back({context.motion(state, FaceMotion::neutralOf(state)), ""});
+  }
+  MotionVectorOptions options = context.vectorOptions();
+  options.width = context.innerWidth();
+  options.columns = static_cast<int>(states.size());
+  return motionPanel("Motion against the neutral face, 56 x 40 points", fields, options);
+}
+
+/// @param heads  whether each face is named by its frame
+PlatePanel texturedRow(FigureContext& context, const std::vector<FaceState>& states, size_t texture,
+                       const std::string& heading, bool heads) {
+  std::vector<PlatePanel> panels;
+  for (const FaceState& one : states) {
+    FaceState state = context.textured(one, texture);
+    state.rows = fineRows;
+    state.columns = fineColumns;
+    const double width = context.innerWidth() / static_cast<double>(states.size());
+    panels.push_back(context.facePanel(heads ? frameHeading(one) : "", state, SceneStyle(), width, shape));
+  }
+  return panelRow(heading, panels, context.innerWidth());
+}
+
+}  // namespace
+
+FigureDrawing drawAnimation(FigureContext& context) {
+  const std::vector<FaceState> states = animationStates(context, frames, 0.1, 0.9);
+  Plate plate;
+  plate.columns = 1;
+  plate.panels = {curveRow(context, states), vectorRow(context, states)};
+  const size_t textures = std::max<size_t>(context.settings().textures.size(), 1);
+  for (size_t i = 0; i < textures; ++i) plate.panels.push_back(texturedRow(context, states, i, "Textured", false));
+  return context.drawn(plate);
+}
+
+FigureDrawing drawTexturedAnimation(FigureContext& context) {
+  const std::vector<FaceState> states = animationStates(context, frames, 0.02, 0.5);
+  Plate plate;
+  plate.columns = 1;
+  plate.panels = {texturedRow(context, states, 0, "", true)};
+  return context.drawn(plate);
+}
+
+}  // namespace mien

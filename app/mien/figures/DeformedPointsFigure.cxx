@@ -1,0 +1,85 @@
+#include <algorithm>
+
+#include "CatalogueFigures.h"
+#include "DefaultRegions.h"
+#include "FaceInPupilUnits.h"
+#include "Failure.h"
+#include "FigureContext.h"
+#include "NamedTables.h"
+#include "PlaneDrawingPainter.h"
+#include "RegionCells.h"
+#include "TableDeformation.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double spacing = 0.28;  // of the points, pupil units
+const char* const publishedTable = "smile";
+
+std::vector<DeformationPoint> pointsWithin(const PlanePolygon& outline, const FacialRegions& regions) {
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& point : outline) box.extend(point);
+  std::vector<DeformationPoint> points;
+  const int columns = static_cast<int>(0.5 * box.sizes().x() / spacing);
+  for (double y = box.max().y() - 0.5 * spacing; y > box.min().y(); y -= spacing)
+    for (int i = -columns; i <= columns; ++i) {
+      DeformationPoint point;
+      point.position = {i * spacing, y, 0.0};
+      if (regions.outlineWeight({i * spacing, y}) > 0.5) points.push_back(point);
+    }
+  return points;
+}
+
+/// Displacements of points that are in pupil units already.
+std::vector<Eigen::Vector2d> displacements(const std::vector<DeformationPoint>& points, const DeformationTable& table,
+                                           double strength, bool smooth) {
+  PupilNormalisation pupils;
+  pupils.set({1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0});
+  const FacialRegions& regions = defaultRegions();
+  std::vector<Eigen::Vector2d> moves(points.size());
+  TableDeformation(points, pupils, regions, smooth)
+      .displacements(table, fittedDisplacement(table, regions), strength, 0, points.size(), moves.data());
+  return moves;
+}
+
+void addPoint(PlaneDrawing& drawing, const Eigen::Vector2d& at, const QColor& color) {
+  drawing.marks.push_back({{at.x(), at.y()}, 1.1, {color, 0.1, false, color}});
+}
+
+void addWay(PlaneDrawing& drawing, const Eigen::Vector2d& from, const Eigen::Vector2d& move) {
+  if (move.norm() < 0.02) return;
+  const Eigen::Vector2d to = from + move;
+  drawing.lines.push_back(
+      {QPolygonF({QPointF(from.x(), from.y()), QPointF(to.x(), to.y())}), {QColor("#222222"), 0.4}, false, true});
+}
+
+}  // namespace
+
+FigureDrawing drawDeformedPoints(FigureContext& context) {
+  const FaceDeformation asked = context.state().deformation;
+  const std::string name = asked.table.empty() ? publishedTable : asked.table;
+  DeformationTable table;
+  const std::string fault = readNamedTable(name, table);
+  if (!fault.empty()) throw FileFailure(fault);
+  const auto points = pointsWithin(faceOutline(defaultRegions()), defaultRegions());
+  const auto moves = displacements(points, table, asked.strength, asked.smooth);
+  const std::vector<QPolygonF> lines = frontalLines(context.neutralFace(), true);
+  PlaneDrawing before, after;
+  for (PlaneDrawing* drawing : {&before, &after}) addFaceBehind(*drawing, lines);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d at = points[i].position.head<2>();
+    addPoint(before, at, QColor("#0072b2"));
+    addPoint(after, at + moves[i], QColor("#d55e00"));
+    addWay(after, at, moves[i]);
+  }
+  const QRectF shown = before.bounds().united(after.bounds());
+  Plate plate;
+  plate.panels = {drawingPanel("Points of the neutral face", before, shown),
+                  drawingPanel("Deformed by " + name, after, shown)};
+  plate.caption = std::string("Points in pupil units, each moved by the map of its region, ") +
+                  (asked.smooth ? "blended smoothly at the borders." : "with the hard borders of the paper.");
+  return context.drawn(plate);
+}
+
+}  // namespace mien

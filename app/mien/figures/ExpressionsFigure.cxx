@@ -1,0 +1,68 @@
+#include "CatalogueFigures.h"
+#include "CurveDrawing.h"
+#include "FigureContext.h"
+#include "PanelRow.h"
+#include "PlaneDrawingPainter.h"
+
+namespace mien {
+
+namespace {
+
+const char* const expressions[] = {"anger", "joy", "sadness", "disgust", "fear", "surprise"};
+constexpr size_t count = std::size(expressions);
+constexpr double shape = 1.28;                  // height over width of a face
+constexpr int meshRows = 29, meshColumns = 40;  // as in the paper
+
+FaceState withExpression(const FaceState& rest, const std::string& name) {
+  FaceState state = rest;
+  state.expressions[name] = 1.0;
+  return state;
+}
+
+PlaneDrawing curveDrawing(FigureContext& context, const FaceState& state) {
+  PlaneDrawing drawing;
+  PlaneStroke thin;
+  thin.width = 0.4;
+  CurveDrawing(context.curves(state).curves).addLines(drawing, [&](int) { return thin; });
+  return drawing;
+}
+
+/// One row of curves, seen in the same part of the plane.
+PlatePanel curveRow(FigureContext& context) {
+  std::vector<PlaneDrawing> drawings;
+  QRectF shown;
+  for (const char* const name : expressions) {
+    drawings.push_back(curveDrawing(context, withExpression(context.state(), name)));
+    shown = shown.united(drawings.back().bounds());
+  }
+  std::vector<PlatePanel> panels;
+  for (size_t i = 0; i < count; ++i) panels.push_back(drawingPanel(expressions[i], drawings[i], shown));
+  return panelRow("Boundary curves", panels, context.innerWidth());
+}
+
+PlatePanel faceRow(FigureContext& context, const std::string& heading, const FaceState& rest, SceneStyle::Mesh mesh) {
+  SceneStyle style;
+  style.mesh = mesh;
+  std::vector<PlatePanel> panels;
+  for (const char* const name : expressions)
+    panels.push_back(context.facePanel("", withExpression(rest, name), style, context.innerWidth() / count, shape));
+  return panelRow(heading, panels, context.innerWidth());
+}
+
+}  // namespace
+
+FigureDrawing drawExpressions(FigureContext& context) {
+  FaceState mesh = context.state();
+  mesh.rows = meshRows;
+  mesh.columns = meshColumns;
+  FaceState fine = context.textured(context.state());
+  fine.rows = 164;
+  fine.columns = 160;
+  Plate plate;
+  plate.columns = 1;
+  plate.panels = {curveRow(context), faceRow(context, "Surface, 29 x 40 points", mesh, SceneStyle::Mesh::Wireframe),
+                  faceRow(context, "Textured", fine, SceneStyle::Mesh::Shaded)};
+  return context.drawn(plate);
+}
+
+}  // namespace mien

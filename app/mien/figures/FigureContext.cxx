@@ -1,0 +1,120 @@
+#include "FigureContext.h"
+
+#include <cmath>
+
+#include "BoundaryCurveData.h"
+#include "FaceMotion.h"
+#include "FaceOptions.h"
+#include "FaceScene.h"
+#include "Failure.h"
+#include "FigurePainter.h"
+#include "PicturePanel.h"
+#include "PlatePainter.h"
+#include "vtkAlgorithm.h"
+#include "vtkBoundaryCurveReader.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
+
+namespace mien {
+
+namespace {
+
+int pixelsOf(double millimetres, double dotsPerInch) {
+  return std::max(1, static_cast<int>(std::lround(millimetres / 25.4 * dotsPerInch)));
+}
+
+}  // namespace
+
+FigureContext::FigureContext(const FaceState& state, const FigureSettings& settings)
+    : state_(state), settings_(settings) {}
+
+FacePipeline& FigureContext::pipeline(const FaceState& state) {
+  pipeline_.setState(state);
+  checkOrThrow(pipeline_);
+  updateOrThrow(pipeline_);
+  return pipeline_;
+}
+
+FaceCurves FigureContext::curves(const FaceState& state) {
+  FaceCurves face;
+  vtkAlgorithm* const curves = pipeline(state).curves();
+  curves->Update();
+  const std::string fault = readFaceCurves(vtkPolyData::SafeDownCast(curves->GetOutputDataObject(0)), face);
+  if (!fault.empty()) throw FileFailure(fault);
+  return face;
+}
+
+QImage FigureContext::imageOf(vtkImageData* picture) {
+  const int* const size = picture->GetDimensions();
+  const int components = picture->GetNumberOfScalarComponents();
+  const auto* const pixels = static_cast<const uchar*>(picture->GetScalarPointer());
+  const QImage shared(pixels, size[0], size[1], components * size[0],
+                      components == 4 ? QImage::Format_RGBA8888 : QImage::Format_RGB888);
+  return shared.mirrored();
+}
+
+FaceCurves FigureContext::neutralFace() {
+  return curves(FaceMotion::neutralOf(state_));
+}
+
+vtkPolyData* FigureContext::neutralCurves(const FaceState& state) {
+  return pipeline(state).neutralCurves()->GetOutput();
+}
+
+void FigureContext::requireDisplay() {
+  if (!display_) display_.emplace();
+}
+
+QImage FigureContext::picture(const FaceState& state, SceneStyle style, double width, double shape) {
+  requireDisplay();
+  style.width = pixelsOf(width, settings_.dotsPerInch);
+  style.height = pixelsOf(width * shape, settings_.dotsPerInch);
+  style.transparent = true;
+  FaceScene scene(pipeline(state), style);
+  return imageOf(scene.render());
+}
+
+PlatePanel FigureContext::facePanel(const std::string& heading, const FaceState& state, const SceneStyle& style,
+                                    double width, double shape) {
+  return picturePanel(heading, picture(state, style, width, shape));
+}
+
+MotionField FigureContext::motion(const FaceState& moved, const FaceState& origin) {
+  FaceMotion motion;
+  motion.setStates(moved, origin);
+  checkOrThrow(motion.moved());
+  checkOrThrow(motion.origin());
+  const std::string fault = motion.update();
+  if (!fault.empty()) throw FileFailure(fault);
+  return motion.field();
+}
+
+MotionVectorOptions FigureContext::vectorOptions() const {
+  MotionVectorOptions options;
+  options.theme = settings_.theme.name;
+  options.picture.sampling.kind = VectorSampling::Kind::Even;
+  return options;
+}
+
+FaceState FigureContext::textured(FaceState state, size_t texture) const {
+  const std::vector<std::string>& files = settings_.textures;
+  state.textureMesh.clear();
+  setTexture(texture < files.size() ? files[texture] : "painted", state);
+  return state;
+}
+
+double FigureContext::innerWidth() const {
+  return PlatePainter::panelWidth(settings_.width, 1, 1);
+}
+
+FigureDrawing FigureContext::drawn(const Plate& plate) const {
+  const auto painter = std::make_shared<PlatePainter>(plate, settings_.theme, settings_.width, settings_.labelled);
+  return {painter->size(), [painter](QPainter& p) { painter->paint(p); }};
+}
+
+FigureDrawing FigureContext::drawn(const Figure& figure) const {
+  const auto painter = std::make_shared<FigurePainter>(figure, settings_.theme, settings_.width);
+  return {painter->size(), [painter](QPainter& p) { painter->paint(p); }};
+}
+
+}  // namespace mien

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "FigureTheme.h"
+
+namespace mien {
+
+/// What was asked of a figure beside the face.
+struct FigureSettings {
+  double width = 170.0;        ///< mm
+  double dotsPerInch = 300.0;  ///< of pictures in it
+  FigureTheme theme;
+  bool labelled = true;               ///< (a), (b) .. before panels
+  std::vector<double> frames;         ///< of the animation, as numbered in the file; empty: the figure's own choice
+  std::vector<std::string> textures;  ///< image files; empty: the texture that comes with Mien
+};
+
+}  // namespace mien

@@ -1,0 +1,101 @@
+#include <algorithm>
+
+#include "CatalogueFigures.h"
+#include "ChartPanel.h"
+#include "FaceScheme.h"
+#include "FigureContext.h"
+#include "FigurePanel.h"
+#include "MeasureReports.h"
+#include "NumberText.h"
+#include "PanelRow.h"
+#include "TextTable.h"
+
+namespace mien {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+constexpr double faceShape = 1.28;  // height over width
+
+std::vector<std::string> allSchemes() {
+  std::vector<std::string> names;
+  for (const FaceScheme& scheme : faceSchemes()) names.push_back(scheme.name);
+  return names;
+}
+
+std::string threeDigits(const json& value) {
+  return value.is_number() ? QString::number(value.get<double>(), 'g', 3).toStdString() : "-";
+}
+
+/// The largest angle of each seam, a column for each scheme.
+TextTable largestAngles(const json& report, const std::vector<std::string>& schemes) {
+  TextTable table;
+  table.columns.push_back({"Seam", 0.8});
+  for (const std::string& scheme : schemes) table.columns.push_back({scheme, 1.0, true});
+  const json& first = report["schemes"][0]["seams"];
+  for (std::size_t seam = 0; seam < first.size(); ++seam) {
+    table.rows.push_back({first[seam]["seam"].get<std::string>()});
+    for (std::size_t i = 0; i < schemes.size(); ++i)
+      table.rows.back().push_back(threeDigits(report["schemes"][i]["seams"][seam]["g1_max_deg"]));
+  }
+  return table;
+}
+
+/// The surface at a few values of a, the same scheme.
+PlatePanel surfaceRow(FigureContext& context) {
+  std::vector<PlatePanel> panels;
+  for (const double a : {0.1, 1.0, 3.0, 10.0}) {
+    FaceState state = context.state();
+    state.surface.smoothing.fill(a);
+    state.rows = 164;
+    state.columns = 160;
+    panels.push_back(
+        context.facePanel("a = " + shortestText(a), state, SceneStyle(), context.innerWidth() / 4.0, faceShape));
+  }
+  return panelRow("Scheme " + context.state().surface.scheme, panels, context.innerWidth());
+}
+
+}  // namespace
+
+FigureDrawing drawContinuity(FigureContext& context) {
+  MeasuredFace face;
+  face.set(context.state(), allSchemes());
+  const Report report = continuityReport(face, {});
+  Figure chart = report.figure();
+  Plate plate;
+  plate.columns = 1;
+  plate.note = chart.note;
+  plate.caption =
+      "Angle between the normals of neighbouring patches along each seam, and its largest values in degrees.";
+  chart.note.clear();
+  chart.caption.clear();
+  plate.panels = {
+      figurePanel("", chart, context.innerWidth()),
+      tablePanel("Largest angle, degrees", largestAngles(report.json, face.schemes()), context.innerWidth())};
+  return context.drawn(plate);
+}
+
+FigureDrawing drawSpectrum(FigureContext& context) {
+  MeasuredFace face;
+  face.set(context.state(), {context.state().surface.scheme});
+  return context.drawn(spectrumReport(face, 0.1).figure());
+}
+
+FigureDrawing drawSweep(FigureContext& context) {
+  MeasuredFace face;
+  face.set(context.state(), allSchemes());
+  SweepChoice choice;
+  choice.range = "0.1:100:25log";
+  Figure chart = sweepReport(face, choice).figure();
+  Plate plate;
+  plate.columns = 1;
+  plate.caption = chart.caption;
+  plate.note = chart.note;
+  chart.caption.clear();
+  chart.note.clear();
+  plate.panels = {surfaceRow(context), figurePanel("", chart, context.innerWidth())};
+  return context.drawn(plate);
+}
+
+}  // namespace mien

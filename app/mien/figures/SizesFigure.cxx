@@ -1,0 +1,63 @@
+#include "CatalogueFigures.h"
+#include "CurveModes.h"
+#include "DetailFigure.h"
+#include "FaceNote.h"
+#include "Failure.h"
+#include "FigureContext.h"
+#include "PipelineErrors.h"
+#include "TableRows.h"
+#include "WatchedUpdate.h"
+#include "vtkLevelOfDetailFilter.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkReverseSense.h"
+#include "vtkTable.h"
+#include "vtkTriangleFilter.h"
+
+namespace mien {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+constexpr int fineRows = 224, fineColumns = 160;  // of the surface that stands for a scan
+
+std::vector<DetailPoint> pointsOf(vtkTable* table) {
+  std::vector<DetailPoint> points;
+  for (const json& row : tableRows(table)) {
+    if (row["representation"] == "PDE face" || row["representation"] == "scan") continue;
+    const auto number = [&](const char* key) { return row[key].is_number() ? row[key].get<double>() : std::nan(""); };
+    points.push_back({row["representation"], number("bytes"), number("symmetric_rms_mm"), number("hausdorff_mm")});
+  }
+  return points;
+}
+
+}  // namespace
+
+/// A scan is what `mien lod` takes; here the face's own fine surface stands for it, so that the figure needs no file.
+FigureDrawing drawSizes(FigureContext& context) {
+  FaceState state = context.state();
+  state.rows = fineRows;
+  state.columns = fineColumns;
+  FacePipeline& pipeline = context.pipeline(state);
+  vtkNew<vtkTriangleFilter> triangles;
+  vtkNew<vtkReverseSense> outwards;
+  triangles->SetInputConnection(pipeline.surface()->GetOutputPort());
+  outwards->SetInputConnection(triangles->GetOutputPort());
+  outwards->ReverseNormalsOff();
+  outwards->Update();
+  vtkNew<vtkLevelOfDetailFilter> filter;
+  PipelineErrors errors;
+  errors.observe(filter);
+  filter->SetInputConnection(pipeline.curves()->GetOutputPort());
+  filter->SetScanData(outwards->GetOutput());
+  filter->SetParameters(state.surface);
+  updateWatched(filter, "comparison");
+  if (!errors.first().empty()) throw FileFailure(errors.first());
+  const int k = pipeline.pointsPerCurve();
+  Figure figure = detailFigure(pointsOf(filter->GetOutput()), modeNumberCount(k, k / 2) * double(sizeof(float)));
+  figure.note = faceNote(state, {state.surface.scheme}) + "; measured on its own surface of 224 x 160 points";
+  return context.drawn(figure);
+}
+
+}  // namespace mien

@@ -1,0 +1,42 @@
+#include "WindowPicture.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QImage>
+#include <QPixmap>
+#include <QTimer>
+#include <cstdio>
+
+#include "FaceModel.h"
+#include "FaceStateText.h"
+#include "StudioWindow.h"
+
+namespace mien {
+
+namespace {
+
+constexpr int drawn = 1500;  // ms after which views, docks and thumbnails have settled with software rendering
+
+}  // namespace
+
+WindowPicture::WindowPicture(StudioWindow& window, const QString& file) : window_(window), file_(file) {
+  QTimer::singleShot(drawn, this, [this] { take(); });
+}
+
+QString WindowPicture::show(StudioWindow& window, const QString& stateFile) {
+  QFile file(stateFile);
+  if (!file.open(QIODevice::ReadOnly)) return stateFile + ": " + file.errorString();
+  FaceState state;
+  const std::string fault = readFaceState(file.readAll().toStdString(), state);
+  if (!fault.empty()) return stateFile + ": " + QString::fromStdString(fault);
+  window.model().change([&](FaceState& shown) { shown = state; });
+  return {};
+}
+
+void WindowPicture::take() {
+  const bool written = window_.grab().toImage().convertToFormat(QImage::Format_RGB888).save(file_, "PNG");
+  if (!written) std::fprintf(stderr, "mien-studio: %s: cannot be written\n", qPrintable(file_));
+  QApplication::exit(written ? EXIT_SUCCESS : EXIT_FAILURE);
+}
+
+}  // namespace mien

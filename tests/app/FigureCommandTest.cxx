@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "Program.h"
+
+namespace {
+
+const std::vector<std::string> drawings = {"pde-1",       "pde-4",           "pde-5",         "pde-6",    "pde-table-1",
+                                           "fdt-2",       "fdt-3",           "fdt-4",         "fdt-6",    "fdt-7",
+                                           "fdt-table-1", "mien-continuity", "mien-spectrum", "mien-size"};
+
+Outcome run(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "figure");
+  const Outcome outcome = runMien(arguments);
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  return outcome;
+}
+
+std::vector<std::string> knownFigures() {
+  std::vector<std::string> ids;
+  std::istringstream lines(run({"--list"}).output);
+  for (std::string line; std::getline(lines, line);) ids.push_back(line.substr(0, line.find('\t')));
+  return ids;
+}
+
+long countOf(const std::string& text, const std::string& part) {
+  long count = 0;
+  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+/// All that stands between the tags of an SVG file's text, one after the other.
+std::string wordsOf(const std::string& svg) {
+  std::string words;
+  static const std::regex tag("<text[^>]*>([^<]*)</text>");
+  for (std::sregex_iterator it(svg.begin(), svg.end(), tag), end; it != end; ++it) words += (*it)[1].str() + " ";
+  return words;
+}
+
+}  // namespace
+
+TEST(FigureCommand, EveryFigureOfTheCatalogueIsDrawnWithoutADisplay) {
+  const TemporaryFolder folder;
+  run({"--all", "-o", folder.file("all"), "--width", "85", "--dpi", "72"});
+  const std::string page = readTextFile(folder.file("all/index.html"));
+  const std::set<std::string> plain(drawings.begin(), drawings.end());
+  const std::vector<std::string> ids = knownFigures();
+  EXPECT_EQ(ids.size(), 22u);
+  for (const std::string& id : ids) {
+    const std::string svg = readTextFile(folder.file("all/" + id + ".svg"));
+    EXPECT_GT(countOf(svg, "<text"), 0) << id;
+    EXPECT_NE(svg.find("mien figure " + id), std::string::npos) << id << " carries its command";
+    EXPECT_NE(svg.find("mien_face_state"), std::string::npos) << id << " carries its face";
+    if (plain.count(id)) EXPECT_EQ(countOf(svg, "<image"), 0) << id << " is all paths and text";
+    EXPECT_NE(page.find("id=\"" + id + "\""), std::string::npos);
+    EXPECT_NE(page.find("mien figure " + id), std::string::npos) << "the page shows the command of " << id;
+  }
+  EXPECT_EQ(page.find("http://"), std::string::npos) << "the page works offline";
+  EXPECT_EQ(page.find("https://"), std::string::npos);
+}
+
+TEST(FigureCommand, DrawingsAreTheSameBytesTwice) {
+  setenv("SOURCE_DATE_EPOCH", "0", 1);
+  const TemporaryFolder folder;
+  for (const std::string id : {"pde-1", "pde-5", "fdt-4", "pde-4"})
+    for (const std::string ending : {".svg", ".pdf"}) {
+      run({id, "-o", folder.file("a" + ending)});
+      run({id, "-o", folder.file("b" + ending)});
+      EXPECT_EQ(readTextFile(folder.file("a" + ending)), readTextFile(folder.file("b" + ending))) << id << ending;
+    }
+}
+
+TEST(FigureCommand, PdfHoldsFontsAndNoRaster) {
+  const TemporaryFolder folder;
+  run({"pde-6", "-o", folder.file("x.pdf")});
+  const std::string pdf = readTextFile(folder.file("x.pdf"));
+  EXPECT_GT(countOf(pdf, "/FontFile"), 0);
+  EXPECT_EQ(countOf(pdf, "/Subtype /Image"), 0);
+}
+
+TEST(FigureCommand, AFigureIsDrawnAgainFromItsFile) {
+  const TemporaryFolder folder;
+  run({"pde-1", "--scheme", "tangent", "-a", "2", "--width", "120", "-o", folder.file("a.svg")});
+  for (const std::string ending : {".svg", ".pdf", ".png"}) {
+    run({"pde-1", "--scheme", "tangent", "-a", "2", "--width", "120", "-o", folder.file("made" + ending)});
+    run({"--from", folder.file("made" + ending), "-o", folder.file("again.svg")});
+    EXPECT_EQ(readTextFile(folder.file("a.svg")), readTextFile(folder.file("again.svg"))) << ending;
+  }
+}
+
+TEST(FigureCommand, TheTableOfExpressionsIsTheFile) {
+  const TemporaryFolder folder;
+  run({"pde-table-1", "-o", folder.file("x.svg")});
+  const std::string words = wordsOf(readTextFile(folder.file("x.svg")));
+  const auto library = nlohmann::json::parse(readTextFile(MIEN_DATA_DIR "/animation/expressions.json"));
+  int checked = 0;
+  for (const auto& expression : library["expressions"])
+    for (const auto& action : expression["actions"])
+      for (const auto& [fap, value] : action["faps"].items()) {
+        std::ostringstream cell;
+        cell << fap << ": " << value.get<double>();
+        EXPECT_NE(words.find(cell.str()), std::string::npos) << expression["name"] << " " << cell.str();
+        ++checked;
+      }
+  EXPECT_GT(checked, 60);
+}
+
+TEST(FigureCommand, AnglesInTheTableOfContinuityAreThoseMeasured) {
+  const TemporaryFolder folder;
+  run({"mien-continuity", "-o", folder.file("x.svg")});
+  const std::string words = wordsOf(readTextFile(folder.file("x.svg")));
+  const auto measured = nlohmann::json::parse(runMien({"continuity", "--scheme", "four-curve", "--json"}).output);
+  for (const auto& seam : measured["seams"]) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", seam["g1_max_deg"].get<double>());
+    EXPECT_NE(words.find(std::string(text) + " "), std::string::npos) << seam["seam"] << " " << text;
+  }
+}
+
+TEST(FigureCommand, WrongRequestsAreRefused) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("x.svg");
+  const auto expect = [&](std::vector<std::string> arguments, int code, const std::string& part) {
+    arguments.insert(arguments.begin(), "figure");
+    const Outcome outcome = runMien(arguments);
+    EXPECT_EQ(outcome.exitCode, code) << part;
+    EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
+  };
+  expect({"pde-77", "-o", file}, 2, "fdt-table-1, mien-continuity");
+  expect({"pde-1"}, 2, "-o");
+  expect({"pde-1", "-o", folder.file("x.gif")}, 2, ".svg");
+  expect({"pde-1", "-o", file, "--width", "5"}, 2, "--width");
+  expect({"pde-1", "-o", file, "--width", "nan"}, 2, "--width");
+  expect({"pde-2", "-o", file, "--dpi", "100000"}, 2, "--dpi");
+  expect({"pde-9", "-o", file, "--frames", "99999"}, 2, "has frames");
+  expect({"pde-9", "-o", file, "--frames", "1,2,3,4,5,6,7,8,9"}, 2, "at most");
+  expect({"--from", MIEN_DATA_DIR "/textures/painted.png", "-o", file}, 1, "painted.png");
+  expect({"--all"}, 2, "folder");
+  EXPECT_EQ(entriesIn(folder.file("")), 0) << "nothing is left behind";
+}

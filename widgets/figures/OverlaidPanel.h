@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QImage>
+#include <string>
+
+#include "PlaneDrawing.h"
+#include "Plate.h"
+
+namespace mien {
+
+/// A picture with lines and marks drawn over it. The drawing is in pixels of the picture, y up from its lower edge.
+PlatePanel overlaidPanel(const std::string& heading, const QImage& picture, const PlaneDrawing& drawing);
+
+}  // namespace mien

@@ -1,0 +1,55 @@
+#include "PanelRow.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "TextLines.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double gap = 1.5;          // mm, between panels
+constexpr double headingSize = 6.5;  // pt
+
+double cellWidth(double width, size_t count) {
+  const double gaps = gap * figureUnitsPerMillimetre * static_cast<double>(count - 1);
+  return (width - gaps) / static_cast<double>(std::max<size_t>(count, 1));
+}
+
+double headingHeight(const std::vector<PlatePanel>& panels) {
+  const bool any = std::any_of(panels.begin(), panels.end(), [](const PlatePanel& p) { return !p.heading.empty(); });
+  return any ? lineHeight(figureFont(headingSize)) : 0.0;
+}
+
+void paintPanel(QPainter& painter, const PlatePanel& panel, const QRectF& cell, double heading,
+                const FigureTheme& theme) {
+  const QFont font = figureFont(headingSize);
+  painter.setFont(font);
+  painter.setPen(theme.text);
+  painter.drawText(QRectF(cell.left(), cell.top(), cell.width(), heading), Qt::AlignHCenter | Qt::AlignTop,
+                   QString::fromStdString(panel.heading));
+  const QRectF place(cell.left(), cell.top() + heading, cell.width(), cell.width() * panel.shape);
+  painter.save();
+  panel.paint(painter, place, theme);
+  painter.restore();
+}
+
+}  // namespace
+
+PlatePanel panelRow(const std::string& heading, const std::vector<PlatePanel>& panels, double width) {
+  const double whole = width * figureUnitsPerMillimetre, cell = cellWidth(whole, panels.size());
+  double height = 0.0;
+  for (const PlatePanel& panel : panels) height = std::max(height, cell * panel.shape);
+  const auto paint = [panels](QPainter& painter, const QRectF& place, const FigureTheme& theme) {
+    const double side = cellWidth(place.width(), panels.size());
+    double x = place.left();
+    for (const PlatePanel& panel : panels) {
+      paintPanel(painter, panel, QRectF(x, place.top(), side, place.height()), headingHeight(panels), theme);
+      x += side + gap * figureUnitsPerMillimetre;
+    }
+  };
+  return {heading, 1, (height + headingHeight(panels)) / whole, paint};
+}
+
+}  // namespace mien
