@@ -44,4 +44,10 @@ struct PlaneDrawing {
   QRectF bounds() const;  ///< of lines and marks, y up
 };
 
+inline QPolygonF segment(const QPointF& from, const QPointF& to) {
+  QPolygonF line;
+  line << from << to;
+  return line;
+}
+
 }  // namespace mien

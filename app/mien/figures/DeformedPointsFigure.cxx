@@ -51,7 +51,7 @@ void addWay(PlaneDrawing& drawing, const Eigen::Vector2d& from, const Eigen::Vec
   if (move.norm() < 0.02) return;
   const Eigen::Vector2d to = from + move;
   drawing.lines.push_back(
-      {QPolygonF({QPointF(from.x(), from.y()), QPointF(to.x(), to.y())}), {QColor("#222222"), 0.4}, false, true});
+      {segment(QPointF(from.x(), from.y()), QPointF(to.x(), to.y())), {QColor("#222222"), 0.4}, false, true});
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "AnimationData.h"
 #include "CatalogueFigures.h"
+#include "CsvText.h"
 #include "FigureContext.h"
-#include "NumberText.h"
 #include "TextTable.h"
 
 namespace mien {

@@ -1,11 +1,11 @@
 #include "BoundFace.h"
 #include "CatalogueFigures.h"
 #include "ChartPanel.h"
+#include "CsvText.h"
 #include "CurveDrawing.h"
 #include "FAPTable.h"
 #include "FaceLayout.h"
 #include "FigureContext.h"
-#include "NumberText.h"
 #include "PlaneDrawingPainter.h"
 
 namespace mien {
@@ -60,7 +60,7 @@ PlaneDrawing browDrawing(FaceAnimator& face, const std::vector<int>& faps) {
   const QPolygonF starts = rest.samples(curve), ends = raised.samples(curve);
   for (int i = 0; i < starts.size(); ++i) {
     if (QLineF(starts[i], ends[i]).length() > 0.5)
-      drawing.lines.push_back({QPolygonF({starts[i], ends[i]}), PlaneStroke(), false, true});
+      drawing.lines.push_back({segment(starts[i], ends[i]), PlaneStroke(), false, true});
     drawing.marks.push_back({starts[i], 1.0, PlaneStroke()});
   }
   return drawing;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "CsvText.h"
 #include "DataFile.h"
 #include "FAPSequence.h"
 #include "Failure.h"
 #include "FigureContext.h"
-#include "NumberText.h"
 #include "vtkFAPReader.h"
 
 namespace mien {

@@ -2,11 +2,11 @@
 
 #include "CatalogueFigures.h"
 #include "ChartPanel.h"
+#include "CsvText.h"
 #include "FaceScheme.h"
 #include "FigureContext.h"
 #include "FigurePanel.h"
 #include "MeasureReports.h"
-#include "NumberText.h"
 #include "PanelRow.h"
 #include "TextTable.h"
 

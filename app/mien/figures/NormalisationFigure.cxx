@@ -61,11 +61,11 @@ PlaneDrawing poseDrawing(const Pose& pose, const Eigen::Vector2d& origin, const 
   const QRectF box = drawing.bounds();
   const PlaneStroke axis = {QColor("#222222"), 0.4};
   drawing.lines.push_back(
-      {QPolygonF({QPointF(box.left(), origin.y()), QPointF(box.right(), origin.y())}), axis, false, true});
+      {segment(QPointF(box.left(), origin.y()), QPointF(box.right(), origin.y())), axis, false, true});
   drawing.lines.push_back(
-      {QPolygonF({QPointF(origin.x(), box.top()), QPointF(origin.x(), box.bottom())}), axis, false, true});
+      {segment(QPointF(origin.x(), box.top()), QPointF(origin.x(), box.bottom())), axis, false, true});
   const QColor mark("#d55e00");
-  drawing.lines.push_back({QPolygonF({pointOf(pose.right), pointOf(pose.left)}), {mark, 0.7}});
+  drawing.lines.push_back({segment(pointOf(pose.right), pointOf(pose.left)), {mark, 0.7}});
   for (const auto& [at, name] : {std::pair(pose.right, right), {pose.left, left}}) {
     drawing.marks.push_back({pointOf(at), 1.6, {mark, 0.5, false, mark}});
     const double above = 0.035 * box.height();

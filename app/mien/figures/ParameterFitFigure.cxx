@@ -47,7 +47,7 @@ PlaneDrawing pointDrawing(const RegionPoints& points) {
   const QColor blue("#0072b2"), orange("#d55e00");
   for (std::size_t i = 0; i < points.before.size(); ++i) {
     const QPointF from(points.before[i].x(), points.before[i].y()), to(points.after[i].x(), points.after[i].y());
-    drawing.lines.push_back({QPolygonF({from, to}), {QColor("#888888"), 0.35}});
+    drawing.lines.push_back({segment(from, to), {QColor("#888888"), 0.35}});
     drawing.marks.push_back({from, 1.2, {blue, 0.1, false, blue}});
     drawing.marks.push_back({to, 1.2, {orange, 0.1, false, orange}});
   }

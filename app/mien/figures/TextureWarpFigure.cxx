@@ -3,6 +3,7 @@
 #include "CatalogueFigures.h"
 #include "DataFile.h"
 #include "FaceTexture.h"
+#include "FaceWarpLayout.h"
 #include "Failure.h"
 #include "FigureContext.h"
 #include "ImageFile.h"
