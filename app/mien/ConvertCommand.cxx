@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "AnimationData.h"
 #include "AnimationText.h"
@@ -10,6 +11,7 @@
 #include "Arguments.h"
 #include "CaptureWriter.h"
 #include "Command.h"
+#include "CountText.h"
 #include "CsvText.h"
 #include "FAPCsvWriter.h"
 #include "FAPParser.h"
@@ -102,8 +104,11 @@ void changeRate(double rate, FAPSequence& sequence) {
   if (rate == 0.0 || rate == sequence.framesPerSecond) return;
   if (sequence.rateIsAssumed)
     sequence.framesPerSecond = rate;
+  else if (std::optional<FAPSequence> mixed = resampled(sequence, rate))
+    sequence = std::move(*mixed);
   else
-    sequence = resampled(sequence, rate);
+    throw ValueFailure("--fps " + shortestText(rate) + " makes more than a million frames of " +
+                       shortestText(sequence.duration()) + " s; give a lower rate");
 }
 
 void resolveShapes(FAPSequence& sequence) {
@@ -152,8 +157,8 @@ void run(const Options& options) {
     return;
   }
   OutputFile::write(options.output, text);
-  std::cout << sequence.frames.size() << " frames at " << shortestText(sequence.framesPerSecond) << " per second in "
-            << options.output << "\n";
+  std::cout << countOf(sequence.frames.size(), "frame") << " at " << shortestText(sequence.framesPerSecond)
+            << " per second in " << options.output << "\n";
 }
 
 }  // namespace

@@ -2,10 +2,13 @@
 #include <signal.h>
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "PictureFile.h"
 #include "Program.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
@@ -30,7 +33,7 @@ std::string frameName(int index) {
 
 TEST(AnimateCommand, WritesEveryFrame) {
   const TemporaryFolder folder;
-  const std::string frames = folder.file("a/frames");
+  const std::string frames = folder.file("frames");
   const Outcome outcome = animate({demo, "--range", "0:9", "-o", frames});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_EQ(entriesIn(frames), 10);
@@ -144,7 +147,7 @@ class FfmpegStandIn {
 
 TEST(AnimateCommand, FilmsOfOtherKindsGoThroughFfmpeg) {
   const TemporaryFolder folder;
-  const FfmpegStandIn ffmpeg(folder, "echo \"$@\" > \"$last\"\nwc -c >> \"$last\"\n");
+  const FfmpegStandIn ffmpeg(folder, "last=${last#file:}\necho \"$@\" > \"$last\"\nwc -c >> \"$last\"\n");
   for (const char* ending : {"mp4", "webm", "gif"}) {
     const std::string film = folder.file(std::string("film.") + ending);
     const Outcome outcome = animate({demo, "--frames", "0:4", "-o", film});
@@ -317,11 +320,18 @@ TEST(AnimateCommand, WrongValuesAndFilesAreRefused) {
       {{demo}, 2},
       {{demo, "-o", folder.file("film.xyz")}, 2},
       {{demo, "-o", frames, "--range", "900:"}, 2},
-      {{demo, "-o", frames, "--range", "3"}, 2},
+      {{demo, "-o", frames, "--range", "3:4:5"}, 2},
       {{demo, "-o", frames, "--fps", "0"}, 2},
       {{demo, "-o", folder.file("no/film.ogv")}, 1},
       {{demo, "--contact-sheet", folder.file("no/sheet.png")}, 1},
       {{demo, "-o", folder.file("bad.fap") + "/x"}, 1},
+      {{demo, "-o", folder.file("no/frames/")}, 1},
+      {{demo, "-o", frames, "--frames", "900:"}, 2},
+      {{demo, "-o", frames, "--frames", ""}, 2},
+      {{demo, "-o", frames, "--frames", "1,2", "--fps", "50"}, 2},
+      {{demo, "-o", frames, "--end", "100"}, 2},
+      {{demo, "-o", folder.file("{frame}.png"), "--fps", "50"}, 2},
+      {{demo, "-o", frames, "--zoom", "far"}, 2},
       {{folder.file("bad.fap"), "-o", frames}, 1},
       {{folder.file("none.fap"), "-o", frames}, 1},
   };
@@ -333,27 +343,222 @@ TEST(AnimateCommand, WrongValuesAndFilesAreRefused) {
   EXPECT_EQ(entriesIn(folder.file("")), 1);
 }
 
-/// Runs the program in the background and interrupts it once it has begun to write.
-TEST(AnimateCommand, AnInterruptionLeavesFinishedFilesOnly) {
-  const TemporaryFolder folder;
-  const std::string frames = folder.file("frames");
-  std::vector<std::string> words = {MIEN_PROGRAM, "animate", demo, "-o", frames, "--size", "64x64"};
+/// Runs the program in the background and interrupts it once a file is there. @return its exit code
+int interrupted(std::vector<std::string> words, const std::string& file) {
+  words.insert(words.begin(), MIEN_PROGRAM);
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   pid_t child = 0;
-  ASSERT_EQ(posix_spawn(&child, argv[0], nullptr, nullptr, argv.data(), environ), 0);
-  for (int i = 0; i < 3000 && !std::filesystem::exists(frames + "/" + frameName(2)); ++i) usleep(10000);
+  if (posix_spawn(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0) return -1;
+  EXPECT_TRUE(appears(file));
   kill(child, SIGINT);
   int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(AnimateCommand, AnInterruptionLeavesFinishedFilesOnlyAndNoneOfAnEarlierRun) {
+  const TemporaryFolder folder;
+  const std::string frames = folder.file("frames");
+  std::filesystem::create_directory(frames);
+  writeTextFile(frames + "/" + frameName(299), "of an earlier run");
+  EXPECT_EQ(interrupted({"animate", demo, "-o", frames, "--size", "64x64"}, frames + "/" + frameName(2)), 130);
   const long count = entriesIn(frames);
   EXPECT_GE(count, 3);
   EXPECT_LT(count, 301);
   for (int i = 0; i < count; ++i)
     ASSERT_EQ(readPicture(frames + "/" + frameName(i))->GetDimensions()[0], 64) << "hidden or unfinished files stayed";
+}
+
+TEST(AnimateCommand, AnInterruptedSeriesListsExactlyItsFiles) {
+  const TemporaryFolder folder;
+  const std::string film = folder.file("film.pvd");
+  std::filesystem::create_directory(folder.file("film"));
+  writeTextFile(folder.file("film/film_99999.vts"), "of an earlier run");
+  EXPECT_EQ(interrupted({"animate", demo, "--loop", "100", "-o", film}, folder.file("film/film_0002.vts")), 130);
+  const auto count = static_cast<long>(timesIn(film).size());
+  EXPECT_GE(count, 3);
+  EXPECT_LT(count, 30100);
+  EXPECT_EQ(entriesIn(folder.file("film")), count);
+  EXPECT_EQ(entriesIn(folder.file("")), 2);
+}
+
+/// Its temporary file appears when it begins.
+bool filmBegins(const TemporaryFolder& folder, const std::string& film) {
+  for (int i = 0; i < 3000; ++i, usleep(10000))
+    for (const auto& entry : std::filesystem::directory_iterator(folder.file("")))
+      if (entry.path().filename().string().rfind("." + film + ".mien-", 0) == 0) return true;
+  return false;
+}
+
+TEST(AnimateCommand, AnInterruptedFilmOfAFileLeavesNothing) {
+  const TemporaryFolder folder;
+  Piped mien({"animate", demo, "-o", folder.file("film.ogv"), "--size", "48x40", "--loop", "20"});
+  ASSERT_TRUE(filmBegins(folder, "film"));
+  mien.interrupt();
+  EXPECT_EQ(mien.end(), 130);
+  EXPECT_EQ(entriesIn(folder.file("")), 0);
+}
+
+TEST(AnimateCommand, AnInterruptedLiveFilmIsClosedWithWhatCame) {
+  const TemporaryFolder folder;
+  const std::string film = folder.file("live.ogv");
+  Piped mien({"animate", "-", "-o", film, "--size", "48x40", "--resolution", "29x20"});
+  mien.send(demoLines(1, 42));
+  ASSERT_TRUE(filmBegins(folder, "live"));
+  usleep(2000000);  // for the 20 frames; fewer are no failure
+  mien.interrupt();
+  EXPECT_EQ(mien.end(), 130);
+  EXPECT_EQ(entriesIn(folder.file("")), 1);
+  const std::string bytes = readTextFile(film);
+  EXPECT_EQ(bytes.substr(0, 4), "OggS");
+  EXPECT_GE(secondsOfFilm(bytes), 1.0 / 25.0);
+  EXPECT_LE(secondsOfFilm(bytes), 20.0 / 25.0 + 1e-9);
+}
+
+/// Standard error of a run as a terminal of its own shows it.
+std::string onTerminal(std::vector<std::string> words) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (terminal < 0 || grantpt(terminal) != 0 || unlockpt(terminal) != 0) return "no terminal";
+  words.insert(words.begin(), MIEN_PROGRAM);
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, 2, ptsname(terminal), O_WRONLY | O_NOCTTY, 0);
+  pid_t child = 0;
+  posix_spawn(&child, argv[0], &files, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  std::string text;
+  char part[4096];
+  for (ssize_t count = 0; (count = read(terminal, part, sizeof part)) > 0;) text.append(part, count);
+  waitpid(child, nullptr, 0);
+  close(terminal);
+  return text;
+}
+
+TEST(AnimateCommand, ProgressTellsTheTimeThatIsLeftOnceItIsKnown) {
+  const TemporaryFolder folder;
+  const std::string text = onTerminal({"animate", demo, "--loop", "8", "-o", folder.file("film.pvd")});
+  EXPECT_NE(text.find("frame 0 of 2408\r"), std::string::npos) << text;  // the line is replaced, not ended
+  EXPECT_EQ(text.find("frame 0 of 2408,"), std::string::npos) << "nobody knows yet";
+  const size_t left = text.find(" left");
+  ASSERT_NE(left, std::string::npos) << text;
+  const size_t comma = text.rfind(", ", left);
+  EXPECT_GE(std::stod(text.substr(comma + 2)), 1.0) << text;
+}
+
+TEST(AnimateCommand, TablesExpressionsVisemesAndValuesReachEveryFrame) {
+  const TemporaryFolder folder;
+  const auto play = [&](const std::string& name, const std::vector<std::string>& options) {
+    std::vector<std::string> all = {demo, "--frames", "40,60", "-o", folder.file(name + ".pvd")};
+    all.insert(all.end(), options.begin(), options.end());
+    EXPECT_EQ(animate(all).exitCode, 0) << name;
+    return readTextFile(folder.file(name + "/" + name + "_0000.vts")) +
+           readTextFile(folder.file(name + "/" + name + "_0001.vts"));
+  };
+  std::string table = readTextFile(MIEN_DATA_DIR "/animation/animation_table.json");
+  writeTextFile(folder.file("same.json"), table);
+  auto changed = nlohmann::json::parse(table);
+  auto& faps = changed["faps"];
+  for (size_t i = faps.size(); i-- > 0;)
+    if (faps[i]["fap"] == 51 || faps[i]["fap"] == 19) faps.erase(i);
+  writeTextFile(folder.file("changed.json"), changed.dump());
+  const std::string plain = play("plain", {});
+  EXPECT_EQ(play("plain", {"--fat", folder.file("same.json")}), plain);
+  EXPECT_NE(play("plain", {"--fat", folder.file("changed.json")}), plain);
+  EXPECT_NE(play("plain", {"--expression", "joy:0.5"}), plain);
+  EXPECT_NE(play("plain", {"--viseme", "U"}), plain);
+  EXPECT_NE(play("plain", {"--set", "raise_l_i_eyebrow=300"}), plain);
+  EXPECT_NE(play("plain", {"--fdt", "joy"}), plain);
+}
+
+TEST(AnimateCommand, AStreamWritesTheSurfacesThatItsFileWrites) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> bent = {"--fdt", "joy", "--resolution", "29x20"};
+  std::vector<std::string> file = {"animate", demo, "--frames", "0:2", "-o", folder.file("file.pvd")};
+  std::vector<std::string> stream = {"animate", "-", "-o", folder.file("stream.pvd")};
+  file.insert(file.end(), bent.begin(), bent.end());
+  stream.insert(stream.end(), bent.begin(), bent.end());
+  ASSERT_EQ(runMien(file).exitCode, 0);
+  Piped mien(stream);
+  mien.send(demoLines(1, 8));
+  ASSERT_EQ(mien.end(), 0);
+  for (const char* const name : {"_0000.vts", "_0002.vts"})
+    EXPECT_EQ(readTextFile(folder.file(std::string("stream/stream") + name)),
+              readTextFile(folder.file(std::string("file/file") + name)));
+}
+
+TEST(AnimateCommand, AShorterSeriesLeavesNoSurfaceOfALongerOneAndNothingElseGoes) {
+  const TemporaryFolder folder;
+  const std::string film = folder.file("film.pvd");
+  ASSERT_EQ(animate({demo, "--frames", "0:5", "-o", film}).exitCode, 0);
+  ASSERT_EQ(animate({demo, "--frames", "0:5", "--series", "vtp", "-o", folder.file("b.pvd")}).exitCode, 0);
+  for (const char* const name : {"film/film_4.vts", "film/film_0005.vts.txt", "film/other_0005.vts"})
+    writeTextFile(folder.file(name), "mine");
+  writeTextFile(folder.file("film/film_0001.vtp"), "of an earlier run as polygons");
+  ASSERT_EQ(animate({demo, "--frames", "0:1", "-o", film}).exitCode, 0);
+  EXPECT_EQ(entriesIn(folder.file("film")), 2 + 3);
+}
+
+TEST(AnimateCommand, FilesAreNamedByTheNumbersOfTheirFramesOnRequest) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(animate({demo, "--frames", "9,5:6", "-o", folder.file("face-{frame}.vts")}).exitCode, 0);
+  ASSERT_EQ(animate({demo, "--frames", "7", "-o", folder.file("face-{frame}.png")}).exitCode, 0);
+  for (const char* const name : {"face-5.vts", "face-6.vts", "face-9.vts", "face-7.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder.file(name))) << name;
+  EXPECT_EQ(entriesIn(folder.file("")), 4);
+}
+
+TEST(AnimateCommand, RepetitionsGoOnInTheTimeOfTheSurfacesToo) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(animate({demo, "--frames", "0:1", "--loop", "2", "-o", folder.file("a.pvd")}).exitCode, 0);
+  const std::vector<double> times = timesIn(folder.file("a.pvd"));
+  ASSERT_EQ(times.size(), 4u);
+  for (int i = 0; i < 4; ++i) {
+    vtkNew<vtkXMLStructuredGridReader> reader;
+    reader->SetFileName(folder.file("a/a_000" + std::to_string(i) + ".vts").c_str());
+    reader->Update();
+    vtkDataArray* time = reader->GetOutput()->GetFieldData()->GetArray("TimeValue");
+    ASSERT_NE(time, nullptr);
+    EXPECT_NEAR(time->GetTuple1(0), times[i], 1e-9);
+    EXPECT_NEAR(times[i], 0.04 * i, 1e-9);
+  }
+}
+
+TEST(AnimateCommand, MessagesNameTheOptionThatWasGiven) {
+  const TemporaryFolder folder;
+  for (const char* const option : {"--range", "--frames"}) {
+    const Outcome outcome = animate({demo, option, "900:", "-o", folder.file("a.pvd")});
+    EXPECT_EQ(outcome.errors.rfind("mien: " + std::string(option) + " '900:' holds no frame", 0), 0u) << outcome.errors;
+  }
+}
+
+TEST(AnimateCommand, ContactIsToldOnce) {
+  const TemporaryFolder folder;
+  const Outcome pressed = animate({demo, "--frames", "0:3", "--set", "51=300,52=300", "-o", folder.file("a.pvd")});
+  EXPECT_EQ(pressed.exitCode, 0);
+  EXPECT_NE(pressed.errors.find("pressed together in 4 of 4 frames"), std::string::npos) << pressed.errors;
+  const Outcome open = animate({demo, "--frames", "0:0", "-o", folder.file("a.pvd")});
+  EXPECT_EQ(open.errors, "");
+  EXPECT_NE(open.output.find("1 surface in "), std::string::npos) << open.output;
+}
+
+TEST(AnimateCommand, MixedFramesMoveInPicturesToo) {
+  const TemporaryFolder folder;
+  const std::string frames = folder.file("f/");
+  ASSERT_EQ(animate({demo, "--start", "1", "--end", "1.04", "--fps", "100", "-o", frames, "--set", "3=400"}).exitCode,
+            0);
+  ASSERT_EQ(entriesIn(frames), 5);
+}
+
+TEST(AnimateCommand, AColonInTheNameOfAFilmIsNoProtocol) {
+  const TemporaryFolder folder;
+  const FfmpegStandIn ffmpeg(folder, "echo \"$@\" > \"${last#file:}\"\ncat > /dev/null\n");
+  ASSERT_EQ(animate({demo, "--frames", "0:1", "-o", folder.file("a:b.mp4")}).exitCode, 0);
+  EXPECT_NE(readTextFile(folder.file("a:b.mp4")).find(" file:"), std::string::npos);
 }
 
 }  // namespace

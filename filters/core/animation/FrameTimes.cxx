@@ -5,7 +5,7 @@
 #include <string>
 
 #include "FAPParser.h"
-#include "NumberText.h"
+#include "CountText.h"
 
 namespace mien {
 
@@ -58,12 +58,12 @@ double rateOf(const std::vector<double>& times, double clockError) {
   return rate;
 }
 
-bool isGap(double step, double rate) {
-  return step * rate > 1.5;
+std::string describeRepetitions(std::size_t count) {
+  return countOf(count, "row") + (count == 1 ? " repeats a time and is left out" : " repeat a time and are left out");
 }
 
-std::string countOf(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+bool isGap(double step, double rate) {
+  return step * rate > 1.5;
 }
 
 /// A frame at a time between those of the recording.
@@ -128,7 +128,7 @@ std::optional<FAPParseError> FrameTimes::place(FAPSequence& sequence) const {
   const int line = lines[rows[longest]];
   if (rows.size() < seconds.size())
     sequence.warnings.push_back(
-        {lines.front(), countOf(seconds.size() - rows.size(), "row") + " repeat a time and are left out"});
+        {lines.front(), describeRepetitions(seconds.size() - rows.size())});
   keepRows(rows, sequence);
   sequence.framesPerSecond = rate;
   sequence.rateIsAssumed = false;
@@ -141,12 +141,13 @@ std::optional<FAPParseError> FrameTimes::place(FAPSequence& sequence) const {
   return std::nullopt;
 }
 
-FAPSequence resampled(const FAPSequence& sequence, double framesPerSecond) {
+std::optional<FAPSequence> resampled(const FAPSequence& sequence, double framesPerSecond) {
+  const double count = std::floor(sequence.duration() * framesPerSecond + 1e-6) + 1.0;
+  if (!(count <= mostFrames)) return std::nullopt;
   FAPSequence result = sequence;
   result.framesPerSecond = framesPerSecond;
   result.rateIsAssumed = false;
   result.frames.clear();
-  const double count = std::min(std::floor(sequence.duration() * framesPerSecond + 1e-6) + 1.0, mostFrames);
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     result.frames.push_back(sequence.frameAtTime(i / framesPerSecond, true));
     result.frames.back().number = static_cast<double>(i);

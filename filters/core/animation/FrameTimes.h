@@ -21,7 +21,8 @@ struct FrameTimes {
   std::optional<FAPParseError> place(FAPSequence& sequence) const;
 };
 
-/// The animation at another rate, from its first frame to its last, mixed from the frames around each moment.
-FAPSequence resampled(const FAPSequence& sequence, double framesPerSecond);
+/// The animation at another rate, from its first frame to its last, mixed from the frames around each moment; nothing
+/// when that were more than a million frames.
+std::optional<FAPSequence> resampled(const FAPSequence& sequence, double framesPerSecond);
 
 }  // namespace mien
