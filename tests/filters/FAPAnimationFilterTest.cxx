@@ -6,18 +6,14 @@
 
 #include "BoundaryCurveData.h"
 #include "FAPTableData.h"
-#include "FAPText.h"
 #include "FaceLayout.h"
 #include "SyntheticFace.h"
-#include "TemporaryFolder.h"
-#include "TextFile.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFAPAnimationFilter.h"
-#include "vtkFAPReader.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -221,64 +217,6 @@ TEST(FAPAnimationFilter, PublishesAndRoutesTime) {
   const int requests = source->requests;
   filter->UpdateTimeStep(1.0);
   EXPECT_EQ(source->requests, requests);
-}
-
-TEST(FAPAnimationFilter, WhatOneFileLeavesOutIsSaidOfTheNextFileAnew) {
-  const TemporaryFolder folder;
-  for (const char* name : {"a.fap", "b.fap"})
-    writeTextFile(folder.file(name), "2.1 eyes 25 1\n" + maskText({23}) + "\n0 100\n");
-  vtkNew<vtkPolyData> curves;
-  fill(curves);
-  vtkNew<vtkFAPReader> reader;
-  vtkNew<vtkFAPAnimationFilter> filter;
-  filter->SetInputData(0, curves);
-  filter->SetFAPConnection(reader->GetOutputPort());
-  vtkNew<vtkCallbackCommand> counter;
-  int reports = 0;
-  counter->SetClientData(&reports);
-  counter->SetCallback([](vtkObject*, unsigned long, void* count, void*) { ++*static_cast<int*>(count); });
-  filter->AddObserver(vtkFAPAnimationFilter::IgnoredFAPsEvent, counter);
-  int expected = 0;
-  for (const char* name : {"a.fap", "b.fap", "a.fap"}) {
-    reader->SetFileName(folder.file(name).c_str());
-    filter->Update();
-    EXPECT_EQ(filter->GetIgnoredFAPs(), std::vector<int>{23}) << name;
-    EXPECT_EQ(reports, ++expected) << name;
-    filter->SetFAP(31, expected);
-    filter->Update();
-    EXPECT_EQ(reports, expected) << "once per file";
-  }
-}
-
-TEST(FAPAnimationFilter, AnEditedTableIsReadAgainAfterModified) {
-  const TemporaryFolder folder;
-  const std::string file = folder.file("table.json");
-  const std::string text = readTextFile(MIEN_DATA_DIR "/animation/animation_table.json");
-  const std::string name = "\"fap\": 31,";
-  ASSERT_NE(text.find(name), std::string::npos);
-  writeTextFile(file, text);
-  vtkNew<vtkPolyData> curves;
-  fill(curves);
-  vtkNew<vtkFAPAnimationFilter> filter;
-  filter->SetInputData(curves);
-  filter->SetAnimationTableFileName(file);
-  filter->SetFAP(31, 100.0);
-  filter->Update();
-  EXPECT_TRUE(filter->GetIgnoredFAPs().empty());
-  const double before = furthest(filter->GetOutput());
-  writeTextFile(file, "no table");
-  filter->SetFAP(31, 101.0);
-  filter->Update();
-  EXPECT_GT(furthest(filter->GetOutput()), before) << "a value is no reason to look at the file";
-  Errors errors(filter);
-  filter->Modified();
-  filter->Update();
-  EXPECT_NE(errors.all().find("table.json"), std::string::npos) << errors.all();
-  writeTextFile(file, text);
-  filter->Modified();
-  filter->SetFAP(31, 100.0);
-  filter->Update();
-  EXPECT_EQ(furthest(filter->GetOutput()), before);
 }
 
 TEST(FAPAnimationFilter, RefusesWrongInputWithoutOutput) {
