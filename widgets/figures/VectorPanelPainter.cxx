@@ -14,7 +14,8 @@ namespace {
 
 constexpr double headingSize = 7.5, remarkSize = 7.0;    // pt
 constexpr double outlineWidth = 0.7, seamWidth = 0.5;    // pt
-constexpr double seamShare = 0.38, outlineShare = 0.75;  // of the text's colour in the background's
+constexpr double landmarkWidth = 0.6;                    // pt
+constexpr double seamShare = 0.30, landmarkShare = 0.60, outlineShare = 0.75;  // of the text's colour in the background's
 constexpr double leastArrow = 0.25;  // mm: what is seen as a shorter arrow is a dot when it moves by more
 constexpr double dotRadius = 0.22;   // mm
 
@@ -73,6 +74,8 @@ void VectorPanelPainter::paint(QPainter& painter, const VectorStyle& style, cons
   painter.setBrush(Qt::NoBrush);
   painter.setPen(linePen(mixed(theme.text, theme.background, seamShare), seamWidth));
   paintLines(painter, picture_.seams);
+  painter.setPen(linePen(mixed(theme.text, theme.background, landmarkShare), landmarkWidth));
+  paintLines(painter, picture_.landmarks);
   painter.setPen(linePen(mixed(theme.text, theme.background, outlineShare), outlineWidth));
   paintLines(painter, picture_.outline);
   paintArrows(painter, style);

@@ -23,7 +23,8 @@ struct MotionField {
 
   TriangleMesh surface;       ///< wound outwards; may be finer than the origins
   Points surfaceNormals;      ///< of its vertices
-  std::vector<Points> seams;  ///< lines between patches
+  std::vector<Points> seams;      ///< lines between patches
+  std::vector<Points> landmarks;  ///< lids, brows, nose and lips; empty for meshes that are no face
 
   Eigen::VectorXd magnitudes() const { return vectors.rowwise().norm(); }
 };
