@@ -88,7 +88,8 @@ QString OriginChooser::originName() const {
 
 void OriginChooser::pin() {
   const std::string words = model_->motionText();
-  pins_.push_back({++pinCount_, model_->state(), words.empty() ? tr("the neutral face") : QString::fromStdString(words)});
+  pins_.push_back(
+      {++pinCount_, model_->state(), words.empty() ? tr("the neutral face") : QString::fromStdString(words)});
   choice_->addItem(tr("Pin %1: %2").arg(pinCount_).arg(describe(*model_)), pinCount_);
   choice_->setCurrentIndex(choice_->count() - 1);
 }

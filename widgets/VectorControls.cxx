@@ -148,7 +148,8 @@ void VectorControls::buildArrows() {
   color_ = list("vectorsColor", {tr("Length"), tr("Towards viewer"), tr("None")},
                 tr("What the colours tell: length in space, the component towards the viewer, or nothing; in mm"));
   map_ = list("vectorsColorMap", mapNames(),
-              tr("Colour map: viridis for lengths and coolwarm, which diverges from zero, towards the viewer; or one of your choice"));
+              tr("Colour map: viridis for lengths and coolwarm, which diverges from zero, towards the viewer; or one "
+                 "of your choice"));
   range_ = list("vectorsRange", {tr("Automatic"), tr("Up to")},
                 tr("Range of the colours: one that only grows while the face moves, or up to a given length"));
   rangeValue_ = number("vectorsRangeValue", leastRange, mostRange, 10.0, tr(" mm"), tr("End of the colours, mm"));

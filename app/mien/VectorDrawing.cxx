@@ -68,7 +68,8 @@ void VectorDrawing::addTo(CLI::App& command) {
   add("--colormap", colorMap_,
       mapNames() +
           "; with _r turned around; auto: viridis, coolwarm for --color towards. On light themes maps end before their "
-          "palest colours, which nobody sees on white: viridis at a green")->capture_default_str();
+          "palest colours, which nobody sees on white: viridis at a green")
+      ->capture_default_str();
   command.add_flag("--no-seams", noSeams_, "Leave out the lines between patches")->group(group);
   add("--font", font_, "Family of the type [DejaVu Sans]");
   add("--columns", columns_, "Panels beside each other [as many as fit]");

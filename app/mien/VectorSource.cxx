@@ -118,7 +118,8 @@ void VectorSource::check() const {
   if ((kind() == Against::Previous || kind() == Against::Frame) && !hasFile)
     throw ValueFailure("--against " + against_ + " needs an animation; name it with --fap FILE.fap");
   if ((kind() == Against::Previous || kind() == Against::Frame) && options_.state().fapFile == "-")
-    throw ValueFailure("--against " + against_ + " needs the animation twice, which --fap - gives once only; write it to a "
+    throw ValueFailure("--against " + against_ +
+                       " needs the animation twice, which --fap - gives once only; write it to a "
                        "file and name that with --fap");
 }
 

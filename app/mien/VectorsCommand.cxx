@@ -111,8 +111,7 @@ class VectorReport {
   std::string allRows() const {
     if (moments_.size() == 1) return motionTableText(moments_[0].field, chosen_[0]);
     std::vector<MotionTablePart> parts;
-    for (size_t i = 0; i < moments_.size(); ++i)
-      parts.push_back({moments_[i].frame, &moments_[i].field, &chosen_[i]});
+    for (size_t i = 0; i < moments_.size(); ++i) parts.push_back({moments_[i].frame, &moments_[i].field, &chosen_[i]});
     return motionTableText(parts);
   }
 
@@ -160,9 +159,10 @@ class VectorReport {
     double largest = 0.0;
     for (size_t i = 0; i < moments_.size(); ++i)
       for (const int row : chosen_[i]) largest = std::max(largest, moments_[i].field.vectors.row(row).norm());
-    const std::string text = "colours from " + readableNumber(figure_->rangeBegin()) + " to " +
-                             readableNumber(figure_->rangeEnd()) + " mm";
-    if (drawing_.range || drawing_.color != MotionVectorOptions::Color::Magnitude || largest <= figure_->rangeEnd()) return text;
+    const std::string text =
+        "colours from " + readableNumber(figure_->rangeBegin()) + " to " + readableNumber(figure_->rangeEnd()) + " mm";
+    if (drawing_.range || drawing_.color != MotionVectorOptions::Color::Magnitude || largest <= figure_->rangeEnd())
+      return text;
     return text + ", which the arrows need; larger vectors are hidden or not sampled";
   }
 
@@ -206,7 +206,8 @@ const char* const help =
     "colours,\n"
     "in one figure or in several. Lengths are drawn as seen, colours tell the length in space; what moves by less "
     "than\n"
-    "0.0001 mm has no arrow, with --length equal what moves by less than 1 % of the largest. Tables (.csv: u, v, x, y, z, dx, dy, dz, magnitude_mm; u runs over the whole face from 0 "
+    "0.0001 mm has no arrow, with --length equal what moves by less than 1 % of the largest. Tables (.csv: u, v, x, y, "
+    "z, dx, dy, dz, magnitude_mm; u runs over the whole face from 0 "
     "to 1)\n"
     "and .vtp files hold all vectors that --region and --sample choose, behind the face too.";
 

@@ -20,10 +20,10 @@ constexpr double referenceRoom = 0.25;  // longest reference arrow over width of
 constexpr double keyGap = 2.5;          // mm, above the key
 constexpr double arrowRoom = 0.085;     // longest arrow over width of a panel: neighbours still can be told apart
 constexpr double mostShape = 1.5;       // height over width of a panel
-constexpr double leastEqual = 0.01;      // of the longest vector: shorter ones have no arrow of equal length
-constexpr double leastTowards = 0.1;     // of the longest vector: the least range of motion towards the viewer
+constexpr double leastEqual = 0.01;     // of the longest vector: shorter ones have no arrow of equal length
+constexpr double leastTowards = 0.1;    // of the longest vector: the least range of motion towards the viewer
 constexpr double leastFace = 8.0;       // mm, of a panel that the key leaves hardly any room
-constexpr int refinements = 5;  // size of the face and overhang of arrows depend on each other, weakly
+constexpr int refinements = 5;          // size of the face and overhang of arrows depend on each other, weakly
 
 double units(double millimetres) {
   return millimetres * figureUnitsPerMillimetre;
@@ -170,7 +170,8 @@ void MotionVectorFigure::chooseReference() {
 }
 
 void MotionVectorFigure::layOut() {
-  const int columns = columnCount(static_cast<int>(panels_.size())), rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
+  const int columns = columnCount(static_cast<int>(panels_.size())),
+            rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
   const double cellWidth = this->cellWidth(columns);
   chooseScale(arrowRoom * cellWidth);
   chooseReference();

@@ -30,7 +30,7 @@ struct MotionVectorOptions {
   Length length = Length::Seen;
   Color color = Color::Magnitude;
   std::string colorMap;  ///< of ColorTable; "_r" behind the name turns it around; empty: viridis, towards coolwarm
-  bool seams = true;                 ///< whether the lines between patches are drawn
+  bool seams = true;     ///< whether the lines between patches are drawn
 
   std::string theme = "light";       ///< of FigureTheme
   QColor background;                 ///< invalid: the theme's

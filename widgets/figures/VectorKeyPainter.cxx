@@ -17,7 +17,7 @@ constexpr double barHeight = 2.6, tickLength = 0.7;  // mm
 constexpr double mostWidth = 90.0;                   // mm, of a key in a wide figure
 constexpr double endRoom = 2.2;                      // mm, for the last number or the point of the bar
 constexpr double gap = 4.0;                          // mm, between arrow and bar
-constexpr double tickRoom = 7.0;                      // mm, of a number below the bar
+constexpr double tickRoom = 7.0;                     // mm, of a number below the bar
 constexpr int barSteps = 64;                         // no step of a colour can be seen
 
 double units(double millimetres) {
@@ -37,7 +37,8 @@ VectorKeyPainter::VectorKeyPainter(const VectorStyle& style, double reference, d
   const QString seen =
       style.length == Length::InSpace ? QStringLiteral(" of motion in space") : QStringLiteral(" of motion");
   const QString scale = style.length == Length::Equal
-                            ? QStringLiteral("Arrows of equal length show directions; motion below %1 mm has none").arg(number(style.leastShown))
+                            ? QStringLiteral("Arrows of equal length show directions; motion below %1 mm has none")
+                                  .arg(number(style.leastShown))
                             : QStringLiteral("1 mm of arrow = %1 mm").arg(number(style.scale)) + seen;
   scaleLines_ = textLines(style.font(textSize), scale, hasBar() ? barLeft() - units(gap) : width_);
   titleLines_ = textLines(style.font(textSize), title(), width_ - barLeft());

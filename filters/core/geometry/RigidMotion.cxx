@@ -21,8 +21,7 @@ using Points = ClosedCurves::Points;
 RigidMotion weightedFit(const Points& from, const Points& to, const Eigen::VectorXd& weights) {
   const double sum = weights.sum();
   const Eigen::RowVector3d start = weights.transpose() * from / sum, end = weights.transpose() * to / sum;
-  const Eigen::Matrix3d covariance =
-      (from.rowwise() - start).transpose() * weights.asDiagonal() * (to.rowwise() - end);
+  const Eigen::Matrix3d covariance = (from.rowwise() - start).transpose() * weights.asDiagonal() * (to.rowwise() - end);
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Vector3d signs(1.0, 1.0, 1.0);
   signs.z() = (svd.matrixV() * svd.matrixU().transpose()).determinant() < 0.0 ? -1.0 : 1.0;

@@ -15,9 +15,9 @@ struct Arc {
   const char* to;
 };
 
-constexpr Arc arcs[] = {{"C9", "3.11", "3.7"},  {"C10", "3.11", "3.7"}, {"C9", "3.12", "3.8"}, {"C10", "3.12", "3.8"},
-                        {"C6", "4.1", "4.5"},   {"C6", "4.6", "4.2"},   {"C18", "9.2", "9.1"}, {"C21", "8.4", "8.3"},
-                        {"C23", "8.4", "8.3"}};
+constexpr Arc arcs[] = {{"C9", "3.11", "3.7"},  {"C10", "3.11", "3.7"}, {"C9", "3.12", "3.8"},
+                        {"C10", "3.12", "3.8"}, {"C6", "4.1", "4.5"},   {"C6", "4.6", "4.2"},
+                        {"C18", "9.2", "9.1"},  {"C21", "8.4", "8.3"},  {"C23", "8.4", "8.3"}};
 
 }  // namespace
 
@@ -28,7 +28,8 @@ std::vector<ClosedCurves::Points> landmarkLines(const FaceCurves& face) {
     if (!from || !to) continue;
     ClosedCurves::Points line(pointsPerLine, 3);
     for (int i = 0; i < pointsPerLine; ++i)
-      line.row(i) = face.curves.at(FaceLayout::curveIndex(arc.curve), from->v + (to->v - from->v) * i / (pointsPerLine - 1));
+      line.row(i) =
+          face.curves.at(FaceLayout::curveIndex(arc.curve), from->v + (to->v - from->v) * i / (pointsPerLine - 1));
     lines.push_back(line);
   }
   return lines;

@@ -19,8 +19,8 @@ double automaticScale(double longest, double room);
 /// ten, which rangeTicks() divides evenly. 1 without motion.
 double automaticRangeEnd(double largest);
 
-/// Distance between arrows (mm on the face) that stand `printed` mm apart where 1 mm of the face is drawn `faceScale` mm
-/// large, rounded up as an automatic scale is.
+/// Distance between arrows (mm on the face) that stand `printed` mm apart where 1 mm of the face is drawn `faceScale`
+/// mm large, rounded up as an automatic scale is.
 double automaticSpacing(double printed, double faceScale);
 
 /// Values for the ticks of a colour bar: both ends, and between them steps of 1, 1.5, 2, 2.5, 3, 4 or 5 times a power

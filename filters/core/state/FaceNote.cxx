@@ -49,8 +49,12 @@ std::string valuesText(const std::map<int, double>& values, size_t most) {
   return joined(parts, ", ");
 }
 
+std::string weighted(const std::string& name, double weight) {
+  return weight == 1.0 ? name : name + " at " + text(weight);
+}
+
 std::string deformationText(const FaceDeformation& deformation) {
-  return "deformation table " + fileName(deformation.table) + " at " + text(deformation.strength) +
+  return weighted("deformation table " + fileName(deformation.table), deformation.strength) +
          (deformation.smooth ? "" : " in hard regions");
 }
 
@@ -78,8 +82,8 @@ std::string motionText(const FaceState& state, const std::string& frames, size_t
   std::vector<std::string> parts;
   if (!state.fapFile.empty())
     parts.push_back((frames.empty() ? frameText(state) : frames) + " of " + fileName(state.fapFile));
-  for (const auto& [name, intensity] : state.expressions)
-    parts.push_back(intensity == 1.0 ? name : name + " at " + text(intensity));
+  for (const auto& [name, intensity] : state.expressions) parts.push_back(weighted(name, intensity));
+  for (const auto& [name, strength] : state.visemes) parts.push_back("viseme " + weighted(name, strength));
   if (!state.fapValues.empty()) parts.push_back(valuesText(state.fapValues, mostFAPs));
   if (!state.deformation.table.empty()) parts.push_back(deformationText(state.deformation));
   return joined(parts, ", ");
