@@ -211,7 +211,7 @@ vtkSmartPointer<vtkPointSet> VectorSource::movedLike(vtkPointSet* origin) {
   if (fileEnding(against_) == "vts") return grid;
   const vtkSmartPointer<vtkPolyData> face = outwardPolygons(grid, false);
   auto* scan = vtkPolyData::SafeDownCast(origin);
-  if (moved_.empty() && !cut_ && scan && isCutOf(scan, face)) cut_ = scan->GetPolys();
+  if (!cut_ && scan && isCutOf(scan, face)) cut_ = scan->GetPolys();
   if (!cut_) return face;
   auto cut = vtkSmartPointer<vtkPolyData>::New();
   cut->ShallowCopy(face);

@@ -10,9 +10,9 @@ namespace mien {
 
 namespace {
 
-constexpr double stillShare = 1.0 / 3.0;  // of the points, at least
-constexpr double leastScale = 1e-9;       // of the extent: distances below are rounding
-constexpr double converged = 1e-12;       // of the extent
+constexpr double stillShare = 0.25;  // of the points, at least
+constexpr double leastScale = 1e-9;  // of the extent: distances below are rounding
+constexpr double converged = 1e-12;  // of the extent
 constexpr int mostRounds = 100;
 
 using Points = ClosedCurves::Points;
@@ -35,7 +35,7 @@ Eigen::VectorXd distances(const Points& from, const Points& to, const RigidMotio
   return (motion.undone(to) - from).rowwise().norm();
 }
 
-/// The distance that the stillest third of the points keep.
+/// The distance that the stillest quarter of the points keep.
 double stillDistance(const Eigen::VectorXd& distances) {
   std::vector<double> sorted(distances.data(), distances.data() + distances.size());
   const auto place = sorted.begin() + static_cast<std::ptrdiff_t>(stillShare * (sorted.size() - 1));
