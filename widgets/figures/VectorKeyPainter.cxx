@@ -38,7 +38,7 @@ VectorKeyPainter::VectorKeyPainter(const VectorStyle& style, double reference, d
       style.length == Length::InSpace ? QStringLiteral(" of motion in space") : QStringLiteral(" of motion");
   const QString scale = style.length == Length::Equal
                             ? QStringLiteral("Arrows of equal length show directions; motion below %1 mm has none")
-                                  .arg(number(style.leastShown))
+                                  .arg(QString::number(style.leastShown, 'g', 2))
                             : QStringLiteral("1 mm of arrow = %1 mm").arg(number(style.scale)) + seen;
   scaleLines_ = textLines(style.font(textSize), scale, hasBar() ? barLeft() - units(gap) : width_);
   titleLines_ = textLines(style.font(textSize), title(), width_ - barLeft());

@@ -1,5 +1,6 @@
 #include "LandmarkLines.h"
 
+#include <algorithm>
 #include <iterator>
 
 #include "FaceLayout.h"
@@ -20,21 +21,44 @@ struct Arc {
 constexpr Arc arcs[] = {{"C9", "3.11", "3.7"}, {"C10", "3.11", "3.7"}, {"C9", "3.12", "3.8"}, {"C10", "3.12", "3.8"},
                         {"C6", "4.1", "4.5"},  {"C6", "4.6", "4.2"},   {"C21", "8.4", "8.3"}, {"C23", "8.4", "8.3"}};
 
-constexpr const char* wingCurves[] = {"C15", "C16", "C17"};  // downwards
+/// Half of the nose's outline, downwards: how far out, of the way from the midline to the wing's feature point.
+struct WingPlace {
+  const char* curve;
+  double share;
+};
+
+constexpr WingPlace wing[] = {{"C15", 0.80}, {"C16", 0.94}, {"C17", 1.0}, {"C18", 0.80}, {"C18", 0.45}};
+constexpr int pointsPerSpan = 8;
+
+/// A point of the Catmull-Rom spline between b and c, t from 0 to 1.
+Eigen::RowVector3d between(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& c,
+                           const Eigen::RowVector3d& d, double t) {
+  return 0.5 *
+         (2.0 * b + t * (c - a) + t * t * (2.0 * a - 5.0 * b + 4.0 * c - d) + t * t * t * (3.0 * b - a - 3.0 * c + d));
+}
+
+ClosedCurves::Points smoothed(const ClosedCurves::Points& places) {
+  const int last = static_cast<int>(places.rows()) - 1;
+  ClosedCurves::Points line(last * pointsPerSpan + 1, 3);
+  for (int i = 0; i < line.rows(); ++i) {
+    const int span = std::min(i / pointsPerSpan, last - 1);
+    line.row(i) = between(places.row(std::max(span - 1, 0)), places.row(span), places.row(span + 1),
+                          places.row(std::min(span + 2, last)), static_cast<double>(i) / pointsPerSpan - span);
+  }
+  return line;
+}
 
 /// Down one wing, along the base of the nose and up the other wing.
 ClosedCurves::Points noseLine(const FaceCurves& face, double right, double left) {
-  const int wing = static_cast<int>(std::size(wingCurves));
-  ClosedCurves::Points line(2 * wing + pointsPerLine, 3);
-  for (int i = 0; i < wing; ++i) {
-    const int curve = FaceLayout::curveIndex(wingCurves[i]);
-    line.row(i) = face.curves.at(curve, right);
-    line.row(line.rows() - 1 - i) = face.curves.at(curve, left);
+  const int half = static_cast<int>(std::size(wing));
+  ClosedCurves::Points places(2 * half, 3);
+  for (int i = 0; i < half; ++i) {
+    const int curve = FaceLayout::curveIndex(wing[i].curve);
+    const double middle = 0.5 * (right + left), reach = 0.5 * wing[i].share * (left - right);
+    places.row(i) = face.curves.at(curve, middle - reach);
+    places.row(2 * half - 1 - i) = face.curves.at(curve, middle + reach);
   }
-  const int base = FaceLayout::curveIndex("C18");
-  for (int i = 0; i < pointsPerLine; ++i)
-    line.row(wing + i) = face.curves.at(base, right + (left - right) * i / (pointsPerLine - 1));
-  return line;
+  return smoothed(places);
 }
 
 }  // namespace

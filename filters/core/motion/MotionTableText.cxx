@@ -19,7 +19,7 @@ void appendRow(const MotionField& field, int row, std::string& text) {
   if (!field.u.empty()) appendNumber(text, field.u[row]);
   text += ',';
   if (!field.v.empty()) appendNumber(text, field.v[row]);
-  for (int axis = 0; axis < 3; ++axis) appendNumber(text += ',', field.origins(row, axis));
+  for (int axis = 0; axis < 3; ++axis) appendNumber(text += ',', withoutRounding(field.origins(row, axis)));
   for (int axis = 0; axis < 3; ++axis) appendNumber(text += ',', withoutRounding(field.vectors(row, axis)));
   appendNumber(text += ',', withoutRounding(field.vectors.row(row).norm()));
   text += '\n';

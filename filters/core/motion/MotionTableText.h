@@ -9,7 +9,7 @@ namespace mien {
 
 /// Vectors of a field as lines of numbers between commas: u, v (empty on meshes without them), x, y, z, dx, dy, dz,
 /// magnitude_mm, below a line with these names; u over the whole face 0 .. 1, v in radians, all else in mm.
-/// Components below 1e-9 mm are rounding and written as 0.
+/// What is below 1e-9 mm is rounding and written as 0.
 /// @param chosen  rows of the field
 std::string motionTableText(const MotionField& field, const std::vector<int>& chosen);
 
