@@ -113,8 +113,8 @@ TEST(VectorsCommand, ASeriesSharesScaleAndRangeInOneFileOrInSeveral) {
   const TemporaryFolder folder;
   const std::string file = writeAnimation(folder);
   const json about =
-      report({"--fap", file, "--frames", "10,11", "-o", folder.file("all.svg"), "-o", folder.file("one-{frame}.svg"),
-              "-o", folder.file("all.csv"), "-o", folder.file("one-{frame}.vtp")});
+      report({"--fap", file, "--frames", "10,11", "--sample", "every:1", "-o", folder.file("all.svg"), "-o",
+              folder.file("one-{frame}.svg"), "-o", folder.file("all.csv"), "-o", folder.file("one-{frame}.vtp")});
   ASSERT_EQ(about["fields"].size(), 2u);
   EXPECT_EQ(about["fields"][1]["frame"], 11.0);
   EXPECT_GE(about["range_mm"][1].get<double>(), about["fields"][1]["largest_mm"].get<double>());
@@ -247,8 +247,8 @@ TEST(VectorsCommand, RegionsAndSamplingChooseWhatIsWritten) {
     EXPECT_GT(about["fields"][0]["vectors"], 5) << region;
     EXPECT_LT(about["fields"][0]["vectors"], 500) << region;
   }
-  EXPECT_GT(report({"--expression", "joy", "--hidden"})["fields"][0]["arrows"],
-            report({"--expression", "joy"})["fields"][0]["arrows"]);
+  EXPECT_GT(report({"--expression", "joy", "--sample", "every:1", "--hidden"})["fields"][0]["arrows"],
+            report({"--expression", "joy", "--sample", "every:1"})["fields"][0]["arrows"]);
 }
 
 TEST(VectorsCommand, WrongValuesSayWhatIsAllowed) {

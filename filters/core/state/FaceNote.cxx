@@ -1,7 +1,6 @@
 #include "FaceNote.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "NumberText.h"
 
@@ -11,7 +10,8 @@ namespace {
 
 /// The state that a figure carries has the whole path.
 std::string fileName(const std::string& path) {
-  return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
+  if (path == "-") return "standard input";
+  return path.substr(path.find_last_of("/\\") + 1);
 }
 
 std::string text(double value) {
