@@ -27,7 +27,7 @@ class EntryReach {
  private:
   /// Lids close a little beyond the corners of the eye.
   static constexpr double beyondGap = 0.35;
-  static constexpr double halfEye = 0.6;
+  static constexpr double halfEye = 0.9;
 
   bool namesPlace(const mien::AnimationEntry& entry, int curve, double v) const {
     return std::any_of(entry.parts.begin(), entry.parts.end(), [&](const mien::AnimationPart& part) {

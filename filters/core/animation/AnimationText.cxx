@@ -58,8 +58,8 @@ std::string describeMixture(std::string_view text, AnimationFormat format, const
     if (kind != format && columns > 0)
       others += (others.empty() ? "" : " and ") + counted(columns, "column") + " of " + std::string(nameOf(kind));
   if (others.empty()) return {};
-  return "the file mixes kinds: it is read as " + std::string(nameOf(format)) + ", and " + others +
-         " stand aside; give each kind a file of its own";
+  return "the file mixes kinds: it is read as " + std::string(nameOf(format)) + ", without " + others +
+         "; give each kind a file of its own";
 }
 
 constexpr const char* unknownTable =
