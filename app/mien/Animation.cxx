@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "CountText.h"
+#include "Counted.h"
 #include "CsvText.h"
 #include "DataFile.h"
 #include "FAPSequence.h"
@@ -169,7 +169,7 @@ void Animation::finish(bool complete, int done) {
   if (sheet_ && complete) sheet_->write(options_.sheet);
   printRemarks(pipeline_, contact_);
   if (!complete)
-    throw Stopped("stopped after " + std::to_string(done) + " of " + countOf(frames_.size(), "frame") +
+    throw Stopped("stopped after " + std::to_string(done) + " of " + counted(frames_.size(), "frame") +
                   (result.empty() ? "" : "; what is left: " + result));
   if (sink_) std::cout << result << "\n";
   if (sheet_) std::cout << "contact sheet in " << options_.sheet << "\n";
@@ -211,7 +211,7 @@ void Animation::runStream() {
   const std::string result = sink_->finish(done > 0);
   printRemarks(pipeline_, contact_);
   if (!good) throw FileFailure(input_.fault() + "; what is left: " + result);
-  if (wasInterrupted()) throw Stopped("stopped after " + countOf(done, "frame") + "; what is left: " + result);
+  if (wasInterrupted()) throw Stopped("stopped after " + counted(done, "frame") + "; what is left: " + result);
   std::cout << result << "\n";
 }
 

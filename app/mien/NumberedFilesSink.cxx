@@ -1,5 +1,5 @@
 #include "AnimationFrames.h"
-#include "CountText.h"
+#include "Counted.h"
 #include "FrameSink.h"
 #include "OutputFile.h"
 #include "Picture.h"
@@ -30,7 +30,7 @@ class NumberedFilesSink : public FrameSink {
     ++count_;
   }
 
-  std::string finish(bool) override { return countOf(count_, "file") + " named " + pattern_; }
+  std::string finish(bool) override { return counted(count_, "file") + " named " + pattern_; }
 
  private:
   std::string pattern_;

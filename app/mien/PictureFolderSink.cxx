@@ -1,5 +1,5 @@
 #include "AnimationFrames.h"
-#include "CountText.h"
+#include "Counted.h"
 #include "FrameFiles.h"
 #include "FrameSink.h"
 #include "Picture.h"
@@ -21,7 +21,7 @@ class PictureFolderSink : public FrameSink {
 
   std::string finish(bool) override {
     files_.removeOthers(count_);
-    return countOf(count_, "frame") + " in " + files_.folder();
+    return counted(count_, "frame") + " in " + files_.folder();
   }
 
  private:

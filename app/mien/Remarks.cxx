@@ -4,8 +4,9 @@
 #include <cmath>
 #include <iostream>
 
-#include "CountText.h"
-#include "FAPTable.h"
+#include "AnimationTextFile.h"
+#include "Counted.h"
+#include "FAPList.h"
 #include "FacePipeline.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
@@ -19,13 +20,6 @@ constexpr double visiblePush = 0.5;      ///< mm; less is what curves near a mov
 
 double oneDecimal(double mm) {
   return std::round(mm * 10.0) / 10.0;
-}
-
-std::string nameList(const std::vector<int>& faps) {
-  std::string names;
-  for (const int fap : faps)
-    names += (names.empty() ? "" : ", ") + std::to_string(fap) + " " + std::string(fapDefinition(fap).name);
-  return names;
 }
 
 }  // namespace
@@ -44,17 +38,17 @@ void printRemarks(const FacePipeline& pipeline) {
 }
 
 void printRemarks(const FacePipeline& pipeline, const ContactCount& contact) {
-  const std::string file = pipeline.state().fapFile == "-" ? "standard input" : pipeline.state().fapFile;
+  const std::string file = shownAnimationName(pipeline.state().fapFile);
   if (!file.empty())
     for (const std::string& warning : pipeline.frames()->GetWarnings()) std::cerr << "mien: " << warning << "\n";
   const std::vector<int> ignored = pipeline.animation()->GetIgnoredFAPs();
   if (!ignored.empty())
     std::cerr << "mien: " << (file.empty() ? "" : file + ": ")
-              << "these FAPs move nothing on this face: " << nameList(ignored) << "\n";
+              << "these FAPs move nothing on this face: " << listOfFAPs(ignored) << "\n";
   if (contact.clamped > 0)
     std::cerr << "mien: " << (file.empty() ? "" : file + ": ") << "lips or lids are pressed together"
               << (contact.frames > 1
-                      ? " in " + std::to_string(contact.clamped) + " of " + countOf(contact.frames, "frame")
+                      ? " in " + std::to_string(contact.clamped) + " of " + counted(contact.frames, "frame")
                       : "")
               << "; crossings of up to " << oneDecimal(contact.largest) << " mm were undone\n";
   const double pushed = pipeline.animation()->GetLargestPushed();

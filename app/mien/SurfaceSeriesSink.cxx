@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "AnimationFrames.h"
-#include "CountText.h"
+#include "Counted.h"
 #include "CsvText.h"
 #include "FrameFiles.h"
 #include "FrameSink.h"
@@ -55,7 +55,7 @@ class SurfaceSeriesSink : public FrameSink {
         name_, "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n" + entries_ +
                    "  </Collection>\n</VTKFile>\n");
     files_.removeOthers(count_);
-    return countOf(count_, "surface") + " in " + name_;
+    return counted(count_, "surface") + " in " + name_;
   }
 
  private:
