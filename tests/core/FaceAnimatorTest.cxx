@@ -381,23 +381,6 @@ TEST_P(FaceAnimatorTest, TheExampleOfATableEvaluatesAsPrinted) {
   }
 }
 
-TEST_P(FaceAnimatorTest, FollowersFadeSmoothlyByTheirHeight) {
-  const auto weights = [&](const char* curve) { return animator.basis().weights(31, FaceLayout::curveIndex(curve)); };
-  const auto heights = [&](const char* curve) {
-    return face.curves.curve(FaceLayout::curveIndex(curve)).col(1).eval();
-  };
-  const Eigen::VectorXd moved = weights("C6");
-  int checked = 0;
-  for (const auto& [curve, resting] : {std::pair{"C3", "C1"}, {"C5", "C1"}, {"C7", "C9"}, {"C8", "C9"}})
-    for (int j = 0; j < GetParam(); ++j) {
-      const double rest = heights(resting)[j];
-      const double share = (heights(curve)[j] - rest) / (heights("C6")[j] - rest);
-      EXPECT_NEAR(weights(curve)[j], moved[j] * (3 * share * share - 2 * share * share * share), 1e-12) << curve;
-      checked += moved[j] > 0.0;
-    }
-  EXPECT_GT(checked, 8);
-}
-
 INSTANTIATE_TEST_SUITE_P(PointsPerCurve, FaceAnimatorTest, testing::Values(32, 40, 64));
 
 TEST(FaceAnimator, NamesWhatAFaceLacks) {
