@@ -5,9 +5,9 @@
  * Input port 0: vtkPolyData, the neutral boundary curves of BoundaryCurveData.h (29 curves of K >= 32 points,
  * mm) with feature points and pupils. Input port 1, optional: vtkTable of one row, a FAP frame as vtkFAPReader
  * gives it (columns as in FAPTableData.h). FAP 1 (visemes, blended by b / 63) and FAP 2
- * (expressions, intensity / 63) are shapes that are added to the low-level values. Values set with SetFAP() and
- * SetExpression() are added to the table's. Output: vtkPolyData, the input with moved points (double) and the point
- * array `Displacement` (3 components, mm, against the neutral); all other arrays are passed.
+ * (expressions, intensity / 63) are shapes that are added to the low-level values. Values set with SetFAP(),
+ * SetExpression() and SetViseme() are added to the table's. Output: vtkPolyData, the input with moved points (double)
+ * and the point array `Displacement` (3 components, mm, against the neutral); all other arrays are passed.
  *
  * Equation: displacement = sum over the FAPs of value x FAPU / 1024 x direction x weight, piecewise linear per
  * FAP [Sheng et al. 2011, section 5]; lips and lids touch but do not cross. No FAPs give the input's points bit for
@@ -28,6 +28,10 @@
 #include "MienAnimationModule.h"
 #include "vtkCommand.h"
 #include "vtkPolyDataAlgorithm.h"
+
+namespace mien {
+class FAPFrame;
+}
 
 class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
  public:
@@ -55,6 +59,16 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   void ClearExpressions();
   ///@}
 
+  ///@{
+  /** How much of a named viseme is added; several may be mixed. Default 0; 0 .. 1. */
+  void SetViseme(const std::string& name, double strength);
+  double GetViseme(const std::string& name) const;
+  void ClearVisemes();
+  ///@}
+
+  /** "p b m", "f v", .. "U": those that FAP 1 selects by 1 .. 14, in this order. */
+  static std::vector<std::string> GetVisemeNames();
+
   /** "joy", "sadness", "anger", "fear", "disgust", "surprise". */
   static std::vector<std::string> GetExpressionNames();
 
@@ -65,7 +79,10 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   static double GetExpressionFAP(const std::string& name, int fap);
 
   ///@{
-  /** A JSON file that says which points each FAP moves. Default: none, which gives the table compiled in. */
+  /**
+   * A JSON file that says which points each FAP moves. It is read again when it has changed on disk and the filter is
+   * updated after Modified(). Default: none, which gives the table compiled in.
+   */
   void SetAnimationTableFileName(const std::string& name);
   std::string GetAnimationTableFileName() const;
   ///@}
@@ -79,21 +96,28 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   /** The deepest crossing of lips or lids that was undone, in mm; 0 when none was. */
   double GetContactClamped() const;
 
+  /** The same, the largest of all frames of this face, table and file so far. */
+  double GetLargestContactClamped() const;
+
   /** How many points of the lips and lids that moved. */
   int GetContactPoints() const;
 
   /** How far curves gave way because their neighbours left them no room, in mm; 0 when all had room. */
   double GetPushed() const;
 
-  /** The same, the largest of all frames so far. */
+  /** The same, the largest of all frames of this face, table and file so far. */
   double GetLargestPushed() const;
 
   /** 1, or the share of the movement that was kept when absurd values would have crossed curves. */
   double GetKeptShare() const;
 
-  /** The FAPs set in any frame so far that move nothing: the face or the animation table has no such part. */
+  /** The FAPs set in any frame of this face, table and file so far that move nothing: the face or the animation table
+   * has no such part. */
   std::vector<int> GetIgnoredFAPs() const;
   ///@}
+
+  /** The animation table's file may have changed: the next update looks. */
+  void Modified() override;
 
  protected:
   vtkFAPAnimationFilter();
@@ -108,7 +132,10 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   void operator=(const vtkFAPAnimationFilter&) = delete;
 
   bool CheckFAP(int fap);
+  bool IsPrepared(vtkPolyData* curves);
   std::string Prepare(vtkPolyData* curves);
+  void ForgetOtherFile(int load);
+  void NoteResults(const mien::FAPFrame& frame);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
