@@ -77,7 +77,7 @@ FaceState OriginChooser::origin() const {
   state.frameChoice = FaceState::FrameChoice::Index;
   state.interpolateFrames = false;
   state.frame = std::max(0, model_->frameIndex() - 1);
-  return state;
+  return model_->withoutStream(state);
 }
 
 QString OriginChooser::originName() const {
@@ -87,7 +87,7 @@ QString OriginChooser::originName() const {
 }
 
 void OriginChooser::pin() {
-  pins_.emplace_back(++pinCount_, model_->state());
+  pins_.emplace_back(++pinCount_, model_->lastingState());
   choice_->addItem(tr("Pin %1: %2").arg(pinCount_).arg(describe(*model_)), pinCount_);
   choice_->setCurrentIndex(choice_->count() - 1);
 }

@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QVariant>
 #include <cmath>
 
 #include "ColorTable.h"
@@ -141,8 +142,8 @@ void VectorControls::buildArrows() {
                  tr("Length of the arrows: the vector as the view shows it, its length in space, or equal, which shows "
                     "directions"));
   scale_ = list("vectorsScale", {tr("Automatic"), tr("As the face"), tr("Given")},
-                tr("Scale of the arrows: a round one that only grows while the face moves, as large as the face is "
-                   "drawn, or given"));
+                tr("Scale of the arrows: a round one that follows the motion: growing at once, shrinking after two "
+                   "seconds of less; as large as the face is drawn; or given"));
   scaleValue_ =
       number("vectorsScaleValue", leastScale, mostScale, 1.0, tr(" mm/mm"), tr("mm of motion in one mm of arrow"));
   color_ = list("vectorsColor", {tr("Length"), tr("Towards viewer"), tr("None")},
@@ -150,7 +151,8 @@ void VectorControls::buildArrows() {
   map_ = list("vectorsColorMap", mapNames(),
               tr("Colour map; all are perceptually uniform and can be read without colour vision"));
   range_ = list("vectorsRange", {tr("Automatic"), tr("Up to")},
-                tr("Range of the colours: one that only grows while the face moves, or up to a given length"));
+                tr("Range of the colours: one that follows the motion: growing at once, shrinking after two seconds of "
+                   "less; or up to a given length"));
   rangeValue_ = number("vectorsRangeValue", leastRange, mostRange, 10.0, tr(" mm"), tr("End of the colours, mm"));
   head_ =
       check("vectorsHead", tr("Without the head's rotation"), tr("Leave out the rotation of the head (FAP 48 to 50)"));
@@ -237,6 +239,7 @@ MotionVectorOptions VectorControls::options() const {
 
 std::string VectorControls::region() const {
   const QString text = region_->currentText();
+  if (region_->currentData().isValid()) return region_->currentData().toString().toStdString();
   const bool isWord = text.size() > 2 && text[0].isLetter();
   if (region_->currentIndex() == 0) return {};
   return (isWord ? text.toLower() : text).toStdString();
@@ -247,12 +250,16 @@ void VectorControls::setRegion(const Eigen::AlignedBox2d& rectangle) {
   const QString name = QStringList{text(rectangle.min().x()), text(rectangle.min().y()), text(rectangle.max().x()),
                                    text(rectangle.max().y())}
                            .join(',');
+  int row = region_->findText(tr("Dragged"));
   {
     const QSignalBlocker quiet(region_);
-    if (region_->findText(name) < 0) region_->addItem(name);
+    if (row < 0) region_->addItem(tr("Dragged"));
+    row = region_->findText(tr("Dragged"));
+    region_->setItemData(row, name);
+    region_->setItemData(row, tr("%1 mm: left, lower, right and upper end").arg(name), Qt::ToolTipRole);
     region_->setCurrentIndex(-1);
   }
-  region_->setCurrentIndex(region_->findText(name));
+  region_->setCurrentIndex(row);
 }
 
 void VectorControls::setWholeRegion() {

@@ -31,7 +31,8 @@ class VectorControls : public QWidget {
   bool headMotionRemoved() const;
   bool followsView() const;  ///< whether the direction is that of the other view
 
-  /// A rectangle in the picture, mm to the right and up; it joins the list of regions.
+  /// A rectangle in the picture, mm to the right and up; it is the last of the list of regions, in the place of one
+  /// before.
   void setRegion(const Eigen::AlignedBox2d& rectangle);
   void setWholeRegion();
 

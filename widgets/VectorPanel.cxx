@@ -72,12 +72,11 @@ QWidget* VectorPanel::side() {
   fit->setObjectName("vectorsFit");
   fit->setText(tr("Fit"));
   fit->setProperty("framed", true);
-  fit->setToolTip(tr("Choose automatic scale and range anew, for the present motion"));
+  fit->setToolTip(
+      tr("Choose automatic scale and range for what is seen now. By themselves they grow at once and shrink only when "
+         "the motion has been smaller for two seconds, so that pictures that follow each other can be compared"));
   fit->setFocusPolicy(Qt::TabFocus);
-  connect(fit, &QToolButton::clicked, this, [this] {
-    motion_->fit();
-    live_->request();
-  });
+  connect(fit, &QToolButton::clicked, this, &VectorPanel::fit);
   auto* last = new QHBoxLayout;
   last->addWidget(numbers_, 1);
   last->addWidget(fit);
@@ -96,6 +95,11 @@ QWidget* VectorPanel::side() {
   scroll->setMinimumWidth(sideWidth);
   scroll->setWidget(page);
   return scroll;
+}
+
+void VectorPanel::fit() {
+  motion_->fit();
+  live_->request();
 }
 
 void VectorPanel::connectAll() {
@@ -124,7 +128,7 @@ void VectorPanel::changeEvent(QEvent* event) {
 
 void VectorPanel::refresh() {
   MotionRequest request;
-  request.moved = model_->state();
+  request.moved = model_->lastingState();
   request.origin = origin_->origin();
   request.originName = origin_->originName().toStdString();
   request.options = controls_->options();

@@ -98,7 +98,12 @@ void MotionVectorFigure::chooseRange() {
 }
 
 void MotionVectorFigure::chooseScale(double room) {
-  style_.scale = options_.scale.value_or(automaticScale(longest_, room / figureUnitsPerMillimetre));
+  arrowRoom_ = room;
+  style_.scale = options_.scale.value_or(scaleFor(longest_));
+}
+
+double MotionVectorFigure::scaleFor(double longest) const {
+  return automaticScale(longest, arrowRoom_ / figureUnitsPerMillimetre);
 }
 
 int MotionVectorFigure::columnCount() const {
