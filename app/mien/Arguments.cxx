@@ -21,6 +21,10 @@ bool parse(const std::string& text, Number& value) {
 
 }  // namespace
 
+std::string isNotEmpty(const std::string& text) {
+  return text.empty() ? "it is empty; give a value or leave the option out" : "";
+}
+
 double parseNumber(const std::string& option, const std::string& text) {
   double value = 0.0;
   if (!parse(text, value) || !std::isfinite(value))

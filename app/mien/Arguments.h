@@ -8,6 +8,9 @@ namespace mien {
 
 /// Reading the values of options. Each throws a ValueFailure that names the option, its value and what is allowed.
 
+/// A check for options: what is wrong with an empty value, or nothing.
+std::string isNotEmpty(const std::string& text);
+
 /// A finite number, in the C locale whatever the user's is.
 double parseNumber(const std::string& option, const std::string& text);
 

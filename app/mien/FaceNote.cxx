@@ -33,6 +33,7 @@ std::string faceNote(const FaceState& state, const std::vector<std::string>& sch
   }
   text += "; N = " + std::to_string(surface.modes) + (surface.remainder ? " with remainder" : " without remainder");
   if (!state.fapFile.empty()) text += "; " + fileName(state.fapFile);
+  for (const auto& [name, strength] : state.visemes) text += "; viseme " + name + " at " + shortestText(strength);
   for (const auto& [name, intensity] : state.expressions) text += "; " + name + " at " + shortestText(intensity);
   return text + "; Mien " MIEN_VERSION;
 }

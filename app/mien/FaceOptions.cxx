@@ -8,6 +8,7 @@
 #include "FacePipeline.h"
 #include "FaceScheme.h"
 #include "Failure.h"
+#include "MovementText.h"
 #include "OutputFile.h"
 
 namespace mien {
@@ -41,14 +42,24 @@ void FaceOptions::addSurfaceOptions(CLI::App& command) {
 
 void FaceOptions::addAnimationOptions(CLI::App& command) {
   const auto add = [&](const char* name, std::string& value, const char* help) {
-    return command.add_option(name, value, help)->group("Animation");
+    return command.add_option(name, value, help)->group("Animation")->check(isNotEmpty);
   };
   CLI::Option* fap = add("--fap", fap_, "Facial animation parameters, FILE.fap; the first frame without a choice");
   CLI::Option* frame = add("--frame", frame_, "Frame number as written in the file")->needs(fap);
   CLI::Option* index = add("--index", index_, "Frame counted from 0")->needs(fap)->excludes(frame);
   add("--time", time_, "Time in seconds")->needs(fap)->excludes(frame)->excludes(index);
+  addMovementOptions(command);
+}
+
+void FaceOptions::addMovementOptions(CLI::App& command) {
+  const auto add = [&](const char* name, std::string& value, const char* help) {
+    return command.add_option(name, value, help)->group("Animation")->check(isNotEmpty);
+  };
   add("--expression", expression_, "Expressions with intensities 0 .. 1, such as joy:0.8 or joy:0.6,surprise:0.4");
-  add("--set", set_, "FAP values, such as 53=200,54=200; they add to those of the file");
+  add("--viseme", viseme_,
+      "Visemes by name or number 1 .. 14 with strengths 0 .. 1: p_b_m, 10:0.5, or two that blend as in FAP 1, A:0.7,U");
+  add("--set", set_,
+      "FAP values by number or name, such as 53=200,54=200 or open_jaw=300; they add to those of a file");
   CLI::Option* fdt =
       add("--fdt", deformation_,
           "Facial deformation table, FILE.csv[:strength] or one that is compiled in: joy, sadness, anger, fear, "
@@ -83,10 +94,8 @@ FaceState FaceOptions::state() const {
   fillSurface(state);
   fillGrid(state);
   fillFrame(state);
-  fillExpressions(state);
-  fillFAPValues(state);
+  fillMovement(state);
   fillDeformation(state);
-  state.animationTable = animationTable_;
   fillTexture(state);
   return state;
 }
@@ -130,26 +139,11 @@ void FaceOptions::fillFrame(FaceState& state) const {
   }
 }
 
-void FaceOptions::fillExpressions(FaceState& state) const {
-  if (expression_.empty()) return;
-  for (const std::string& item : splitText(expression_, ',')) {
-    const size_t colon = item.find(':');
-    const double intensity = colon == std::string::npos ? 1.0 : parseNumber("--expression", item.substr(colon + 1));
-    if (!state.expressions.emplace(item.substr(0, colon), intensity).second)
-      throw ValueFailure("--expression gives " + item.substr(0, colon) + " twice");
-  }
-}
-
-void FaceOptions::fillFAPValues(FaceState& state) const {
-  if (set_.empty()) return;
-  for (const std::string& item : splitText(set_, ',')) {
-    const size_t equals = item.find('=');
-    if (equals == std::string::npos)
-      throw ValueFailure("--set '" + item + "' is no FAP value; write a FAP number and its value as 53=200");
-    const int fap = parseWholeNumber("--set", item.substr(0, equals));
-    if (!state.fapValues.emplace(fap, parseNumber("--set", item.substr(equals + 1))).second)
-      throw ValueFailure("--set gives FAP " + std::to_string(fap) + " twice");
-  }
+void FaceOptions::fillMovement(FaceState& state) const {
+  if (!expression_.empty()) state.expressions = parseExpressions("--expression", expression_);
+  if (!viseme_.empty()) state.visemes = parseVisemes("--viseme", viseme_);
+  if (!set_.empty()) state.fapValues = parseFAPValues("--set", set_);
+  state.animationTable = animationTable_;
 }
 
 void FaceOptions::fillTexture(FaceState& state) const {

@@ -18,8 +18,12 @@ class FaceOptions {
   /// The options of the surface: the curves' file, the way between the curves, the uv mesh.
   void addSurfaceOptions(CLI::App& command);
 
-  /// The options of the moment: FAP file and frame, expression, values set by hand.
+  /// The options of the moment: FAP file and frame, and those of the movement.
   void addAnimationOptions(CLI::App& command);
+
+  /// What moves the face in every frame: expressions, visemes and values set by hand, which add to those of the
+  /// frames, and the tables of animation and deformation.
+  void addMovementOptions(CLI::App& command);
 
   /// The options of the skin, for commands that draw.
   void addTextureOptions(CLI::App& command);
@@ -48,14 +52,13 @@ class FaceOptions {
   void fillSurface(FaceState& state) const;
   void fillGrid(FaceState& state) const;
   void fillFrame(FaceState& state) const;
-  void fillExpressions(FaceState& state) const;
-  void fillFAPValues(FaceState& state) const;
+  void fillMovement(FaceState& state) const;
   void fillTexture(FaceState& state) const;
   void fillDeformation(FaceState& state) const;
 
   int defaultRows_ = FaceState().rows, defaultColumns_ = FaceState().columns;
   std::string defaultFace_, face_, scheme_, smoothing_, harmonics_, resolution_, derivativeStrength_, precision_;
-  std::string fap_, frame_, index_, time_, expression_, set_, animationTable_;
+  std::string fap_, frame_, index_, time_, expression_, viseme_, set_, animationTable_;
   std::string texture_, textureMesh_;
   std::string deformation_;
   bool hardRegions_ = false;

@@ -29,7 +29,7 @@ constexpr int smallestAnimatedCurve = 32;  // points
 
 bool isAnimated(const FaceState& state) {
   const auto moves = [](const auto& fap) { return fap.second != 0.0; };
-  return !state.fapFile.empty() || !state.expressions.empty() ||
+  return !state.fapFile.empty() || !state.expressions.empty() || !state.visemes.empty() ||
          std::any_of(state.fapValues.begin(), state.fapValues.end(), moves);
 }
 
@@ -39,6 +39,22 @@ bool canBeAnimated(vtkPolyData* curves) {
   FAPUnits units;
   return readFaceCurves(curves, face).empty() && measureFAPUnits(face, units).empty() &&
          face.curves.pointsPerCurve >= smallestAnimatedCurve;
+}
+
+double shareOf(const std::map<std::string, double>& shapes, const std::string& name) {
+  const auto found = shapes.find(name);
+  return found == shapes.end() ? 0.0 : found->second;
+}
+
+/// Which of the shapes chosen is none of those there are, or nothing.
+std::string describeUnknown(const std::string& kind, const std::map<std::string, double>& chosen,
+                            const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  for (const auto& shape : chosen)
+    if (std::find(names.begin(), names.end(), shape.first) == names.end())
+      return "there is no " + kind + " '" + shape.first + "'; there are " + all;
+  return {};
 }
 
 }  // namespace
@@ -84,21 +100,11 @@ struct FacePipeline::Internals {
       const auto found = state.fapValues.find(fap);
       animation->SetFAP(fap, found == state.fapValues.end() ? 0.0 : found->second);
     }
-    for (const std::string& name : vtkFAPAnimationFilter::GetExpressionNames()) {
-      const auto found = state.expressions.find(name);
-      animation->SetExpression(name, found == state.expressions.end() ? 0.0 : found->second);
-    }
+    for (const std::string& name : vtkFAPAnimationFilter::GetExpressionNames())
+      animation->SetExpression(name, shareOf(state.expressions, name));
+    for (const std::string& name : vtkFAPAnimationFilter::GetVisemeNames())
+      animation->SetViseme(name, shareOf(state.visemes, name));
     animation->SetAnimationTableFileName(state.animationTable);
-  }
-
-  std::string describeExpressionFault() const {
-    const std::vector<std::string> names = vtkFAPAnimationFilter::GetExpressionNames();
-    std::string all;
-    for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-    for (const auto& expression : state.expressions)
-      if (std::find(names.begin(), names.end(), expression.first) == names.end())
-        return "there is no expression '" + expression.first + "'; there are " + all;
-    return {};
   }
 
   /// Makes the reader give the frame that the state chooses. @return nothing, or why there is none
@@ -171,7 +177,9 @@ struct FacePipeline::Internals {
 
   std::string describeValueFault() {
     std::string fault = describeFault(state, this->pointsPerCurve());
-    if (fault.empty()) fault = this->describeExpressionFault();
+    if (fault.empty())
+      fault = describeUnknown("expression", state.expressions, vtkFAPAnimationFilter::GetExpressionNames());
+    if (fault.empty()) fault = describeUnknown("viseme", state.visemes, vtkFAPAnimationFilter::GetVisemeNames());
     return fault.empty() ? this->chooseFrame() : fault;
   }
 

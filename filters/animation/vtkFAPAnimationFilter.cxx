@@ -31,11 +31,17 @@ void passTime(vtkInformation* from, vtkInformation* to, vtkInformationDoubleKey*
   if (from->Has(key)) to->Set(key, from->Get(key));
 }
 
+std::vector<std::string> namesOf(const mien::ExpressionLibrary& library) {
+  std::vector<std::string> names;
+  for (const mien::ExpressionProfile& profile : library.expressions()) names.push_back(profile.name);
+  return names;
+}
+
 }  // namespace
 
 struct vtkFAPAnimationFilter::Internals {
   mien::FAPFrame Values;
-  std::map<std::string, double> Expressions;
+  std::map<std::string, double> Expressions, Visemes;
   std::string TableFileName;
 
   mien::FaceAnimator Animator;
@@ -115,11 +121,37 @@ void vtkFAPAnimationFilter::ClearExpressions() {
   this->Modified();
 }
 
+void vtkFAPAnimationFilter::SetViseme(const std::string& name, double strength) {
+  if (!mien::defaultVisemes().find(name)) {
+    vtkErrorMacro(<< "there is no viseme \"" << name << "\"; GetVisemeNames() lists them");
+    return;
+  }
+  if (!(strength >= 0.0 && strength <= 1.0)) {
+    vtkErrorMacro(<< "the strength of viseme " << name << " is " << strength << "; it must lie within 0 and 1");
+    return;
+  }
+  if (this->GetViseme(name) == strength) return;
+  this->Impl->Visemes[name] = strength;
+  this->Modified();
+}
+
+double vtkFAPAnimationFilter::GetViseme(const std::string& name) const {
+  const auto found = this->Impl->Visemes.find(name);
+  return found == this->Impl->Visemes.end() ? 0.0 : found->second;
+}
+
+void vtkFAPAnimationFilter::ClearVisemes() {
+  if (this->Impl->Visemes.empty()) return;
+  this->Impl->Visemes.clear();
+  this->Modified();
+}
+
+std::vector<std::string> vtkFAPAnimationFilter::GetVisemeNames() {
+  return namesOf(mien::defaultVisemes());
+}
+
 std::vector<std::string> vtkFAPAnimationFilter::GetExpressionNames() {
-  std::vector<std::string> names;
-  for (const mien::ExpressionProfile& expression : mien::defaultExpressions().expressions())
-    names.push_back(expression.name);
-  return names;
+  return namesOf(mien::defaultExpressions());
 }
 
 std::string vtkFAPAnimationFilter::GetExpressionDefinition(const std::string& name) {
@@ -278,6 +310,7 @@ int vtkFAPAnimationFilter::RequestData(vtkInformation*, vtkInformationVector** i
   mien::resolveHighLevelFAPs(mien::defaultVisemes(), mien::defaultExpressions(), frame);
   addValues(this->Impl->Values, frame);
   for (const auto& [name, intensity] : this->Impl->Expressions) mien::defaultExpressions().add(name, intensity, frame);
+  for (const auto& [name, strength] : this->Impl->Visemes) mien::defaultVisemes().add(name, strength, frame);
   if (this->GetAbortExecute()) return 1;
   const mien::FaceCurves& neutral = this->Impl->Animator.neutral();
   const mien::HeadRotation rotation = takeHeadRotation(neutral, frame);
@@ -303,4 +336,5 @@ void vtkFAPAnimationFilter::PrintSelf(ostream& os, vtkIndent indent) {
     if (impl.Values.value(fap) != 0.0) os << indent << "FAP " << fap << ": " << impl.Values.value(fap) << "\n";
   for (const auto& [name, intensity] : impl.Expressions)
     os << indent << "Expression " << name << ": " << intensity << "\n";
+  for (const auto& [name, strength] : impl.Visemes) os << indent << "Viseme " << name << ": " << strength << "\n";
 }

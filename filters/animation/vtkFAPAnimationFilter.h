@@ -5,9 +5,9 @@
  * Input port 0: vtkPolyData, the neutral boundary curves of BoundaryCurveData.h (29 curves of K >= 32 points,
  * mm) with feature points and pupils. Input port 1, optional: vtkTable of one row, a FAP frame as vtkFAPReader
  * gives it (columns as in FAPTableData.h). FAP 1 (visemes, blended by b / 63) and FAP 2
- * (expressions, intensity / 63) are shapes that are added to the low-level values. Values set with SetFAP() and
- * SetExpression() are added to the table's. Output: vtkPolyData, the input with moved points (double) and the point
- * array `Displacement` (3 components, mm, against the neutral); all other arrays are passed.
+ * (expressions, intensity / 63) are shapes that are added to the low-level values. Values set with SetFAP(),
+ * SetExpression() and SetViseme() are added to the table's. Output: vtkPolyData, the input with moved points (double)
+ * and the point array `Displacement` (3 components, mm, against the neutral); all other arrays are passed.
  *
  * Equation: displacement = sum over the FAPs of value x FAPU / 1024 x direction x weight, piecewise linear per
  * FAP [Sheng et al. 2011, section 5]; lips and lids touch but do not cross. No FAPs give the input's points bit for
@@ -54,6 +54,16 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   double GetExpression(const std::string& name) const;
   void ClearExpressions();
   ///@}
+
+  ///@{
+  /** How much of a named viseme is added; several may be mixed. Default 0; 0 .. 1. */
+  void SetViseme(const std::string& name, double strength);
+  double GetViseme(const std::string& name) const;
+  void ClearVisemes();
+  ///@}
+
+  /** "p b m", "f v", .. "U": those that FAP 1 selects by 1 .. 14, in this order. */
+  static std::vector<std::string> GetVisemeNames();
 
   /** "joy", "sadness", "anger", "fear", "disgust", "surprise". */
   static std::vector<std::string> GetExpressionNames();

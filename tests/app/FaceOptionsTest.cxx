@@ -4,6 +4,7 @@
 
 #include "FaceFiles.h"
 #include "Program.h"
+#include "TextFile.h"
 
 namespace {
 
@@ -37,6 +38,18 @@ TEST(FaceOptions, WrongValuesEndWithTwoAndSayWhatIsAllowed) {
   expectRefused({"--expression", "smug"}, 2, "joy, sadness");
   expectRefused({"--expression", "joy:2"}, 2, "0 .. 1");
   expectRefused({"--expression", "joy,joy:0.5"}, 2, "twice");
+  expectRefused({"--expression", ""}, 2, "empty");
+  expectRefused({"--expression", "joy,,fear"}, 2, "without a name");
+  expectRefused({"--viseme", ""}, 2, "empty");
+  expectRefused({"--viseme", "zz"}, 2, "1 p_b_m, 2 f_v");
+  expectRefused({"--viseme", "15"}, 2, "14 U");
+  expectRefused({"--viseme", "A:1.5"}, 2, "0 .. 1");
+  expectRefused({"--viseme", "A,a:0.5"}, 2, "twice");
+  expectRefused({"--viseme", "A,U,I"}, 2, "two visemes");
+  expectRefused({"--set", ""}, 2, "empty");
+  expectRefused({"--set", "open_yaw=5"}, 2, "open_jaw");
+  expectRefused({"--set", "viseme_select1=5"}, 2, "--viseme");
+  expectRefused({"--set", "open_jaw=5,3=6"}, 2, "twice");
   expectRefused({"--set", "53"}, 2, "53=200");
   expectRefused({"--fdt", "joy:3"}, 2, "-2 .. 2");
   expectRefused({"--fdt", "joy:x"}, 2, "--fdt");
@@ -45,6 +58,36 @@ TEST(FaceOptions, WrongValuesEndWithTwoAndSayWhatIsAllowed) {
   expectRefused({"--set", "99=1"}, 2, "3 .. 68");
   expectRefused({"--set", "53=1,53=2"}, 2, "twice");
   expectRefused({"--frame", "3"}, 2, "--fap");
+}
+
+/// The points of the surface under these options, as text.
+std::string surfaceOf(const std::vector<std::string>& options) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("points.csv");
+  std::vector<std::string> arguments = {"surface", "--resolution", "20x12", "-o", file};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Outcome outcome = runMien(arguments);
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  return readTextFile(file);
+}
+
+TEST(FaceOptions, NamesNumbersAndBlanksAreAllTheSame) {
+  const std::string neutral = surfaceOf({}), jaw = surfaceOf({"--set", "3=200"});
+  EXPECT_NE(neutral, jaw);
+  for (const char* const set : {"open_jaw=200", "FAP3=200", " Open_Jaw = 200 ", "fap3_open_jaw=200"})
+    EXPECT_EQ(surfaceOf({"--set", set}), jaw) << set;
+  EXPECT_EQ(surfaceOf({"--expression", " joy: 0.5 , fear:0.25"}), surfaceOf({"--expression", "joy:0.5,fear:0.25"}));
+  const std::string lips = surfaceOf({"--viseme", "p_b_m"});
+  EXPECT_NE(lips, neutral);
+  EXPECT_EQ(surfaceOf({"--viseme", "1"}), lips);
+  EXPECT_EQ(surfaceOf({"--viseme", "P B M: 1"}), lips);
+}
+
+TEST(FaceOptions, TwoVisemesShareTheFaceAsInFAPOne) {
+  const std::string blended = surfaceOf({"--viseme", "A:0.75,U:0.25"});
+  EXPECT_EQ(surfaceOf({"--viseme", "A:0.75,14"}), blended);
+  EXPECT_EQ(surfaceOf({"--viseme", "A,U"}), surfaceOf({"--viseme", "A:0.5,U:0.5"}));
+  EXPECT_NE(surfaceOf({"--viseme", "A"}), blended);
 }
 
 TEST(FaceOptions, WrongFilesEndWithOneAndAreNamed) {

@@ -40,6 +40,9 @@ const std::vector<Change> changes = {
     [](FaceState& s) {
       s.expressions = {{"joy", 0.8}, {"surprise", 1.0 / 3.0}};
     },
+    [](FaceState& s) {
+      s.visemes = {{"p b m", 0.25}, {"U", 1.0 / 3.0}};
+    },
     [](FaceState& s) { s.deformation.table = "joy"; },
     [](FaceState& s) { s.deformation.strength = -0.1; },
     [](FaceState& s) { s.deformation.smooth = false; },
@@ -97,6 +100,8 @@ TEST(FaceState, BadTextIsRefusedAndLeavesTheStateAlone) {
       {R"({"mien_face_state": 2, "fap_values": {"5x": 1}})", "'fap_values.5x'"},
       {R"({"mien_face_state": 2, "expressions": {"joy": "much"}})", "'expressions.joy'"},
       {R"({"mien_face_state": 2, "expressions": [1]})", "'expressions'"},
+      {R"({"mien_face_state": 2, "visemes": {"U": true}})", "'visemes.U'"},
+      {R"({"mien_face_state": 2, "visemes": 3})", "'visemes'"},
       {R"({"mien_face_state": 2, "deformation": {"table": 4}})", "'deformation.table'"},
   };
   FaceState kept;
@@ -131,6 +136,11 @@ TEST(FaceState, ValuesOutOfRangeAreNamed) {
       {[nan](FaceState& s) { s.fapValues[53] = nan; }, "FAP 53"},
       {[](FaceState& s) { s.expressions["joy"] = 1.1; }, "0 .. 1"},
       {[nan](FaceState& s) { s.expressions["joy"] = nan; }, "0 .. 1"},
+      {[](FaceState& s) { s.visemes["U"] = -0.1; }, "0 .. 1"},
+      {[](FaceState& s) {
+         s.visemes = {{"U", 0.2}, {"I", 0.2}, {"e", 0.2}};
+       },
+       "3 visemes"},
       {[](FaceState& s) { s.deformation.strength = 2.5; }, "-2 .. 2"},
   };
   for (const auto& [change, part] : cases) EXPECT_NE(faultOf(change).find(part), std::string::npos) << faultOf(change);

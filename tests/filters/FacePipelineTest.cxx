@@ -205,8 +205,33 @@ TEST(FacePipeline, AMissingFrameOrExpressionIsNamedAndCanBeMended) {
   state.expressions["envy"] = 1.0;
   pipeline.setState(state);
   EXPECT_EQ(pipeline.update().rfind("there is no expression 'envy'; there are ", 0), 0u) << pipeline.update();
+  state = FaceState();
+  state.visemes["zz"] = 1.0;
+  pipeline.setState(state);
+  EXPECT_EQ(pipeline.update().rfind("there is no viseme 'zz'; there are p b m, f v, ", 0), 0u) << pipeline.update();
   EXPECT_EQ(pipeline.updateNeutralCurves(), "");
   EXPECT_EQ(largestDisplacement(pipeline, FaceState()), 0.0);
+}
+
+/// FAP 1 blends its first shape by b / 63 and its second by the rest.
+TEST(FacePipeline, TwoVisemesOfTheStateAreTheBlendOfFAPOne) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("viseme.fap");
+  std::string mask = "1";
+  for (int fap = 2; fap <= 68; ++fap) mask += " 0";
+  writeTextFile(file, "2.1 viseme 25 1\n" + mask + "\n0 10 14 21 0\n");
+  FaceState mixed;
+  mixed.visemes = {{"A", 21.0 / 63.0}, {"U", 42.0 / 63.0}};
+  FacePipeline selected, chosen;
+  selected.setState(animated(file, FaceState::FrameChoice::Index, 0));
+  ASSERT_EQ(selected.updateCurves(), "");
+  chosen.setState(mixed);
+  ASSERT_EQ(chosen.updateCurves(), "");
+  vtkPolyData* a = vtkPolyData::SafeDownCast(selected.curves()->GetOutputDataObject(0));
+  vtkPolyData* b = vtkPolyData::SafeDownCast(chosen.curves()->GetOutputDataObject(0));
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(a->GetPoint(i)[axis], b->GetPoint(i)[axis], 1e-9) << i;
+  EXPECT_GT(largestDisplacement(chosen, mixed), 1.0);
 }
 
 }  // namespace

@@ -35,12 +35,13 @@ FaceState neutralOf(FaceState state) {
   state.fapFile.clear();
   state.fapValues.clear();
   state.expressions.clear();
+  state.visemes.clear();
   state.deformation = {};
   return state;
 }
 
 bool movesAnything(const FaceState& state) {
-  return !state.fapFile.empty() || !state.fapValues.empty() || !state.expressions.empty() ||
+  return !state.fapFile.empty() || !state.fapValues.empty() || !state.expressions.empty() || !state.visemes.empty() ||
          !state.deformation.table.empty();
 }
 
@@ -123,6 +124,8 @@ void run(Options& options) {
   const FittedTable fitted = fitSurfaces(neutral, moved, reading, "", false, face);
   if (!fitted.warning.empty()) std::cerr << "mien: " << face << ": " << fitted.warning << "\n";
   std::string what = state.fapFile;
+  for (const auto& [name, strength] : state.visemes)
+    what += (what.empty() ? "viseme " : ", viseme ") + name + ":" + readableNumber(strength);
   for (const auto& [name, intensity] : state.expressions)
     what += (what.empty() ? "" : ", ") + name + ":" + readableNumber(intensity);
   options.output.write(fitted.table, "Fitted to " + (what.empty() ? "FAPs" : what) + " of the " + face + ", RMS " +

@@ -19,7 +19,7 @@ std::string number(double value) {
 
 auto members(const FaceState& s) {
   return std::tie(s.curvesFile, s.edits, s.surface, s.rows, s.columns, s.uniformRows, s.doublePrecision, s.fapFile,
-                  s.frameChoice, s.frame, s.interpolateFrames, s.animationTable, s.fapValues, s.expressions,
+                  s.frameChoice, s.frame, s.interpolateFrames, s.animationTable, s.fapValues, s.expressions, s.visemes,
                   s.deformation, s.texture, s.textureMesh);
 }
 
@@ -60,6 +60,14 @@ std::string describeExpressionFault(const FaceState& state) {
   return {};
 }
 
+std::string describeVisemeFault(const FaceState& state) {
+  for (const auto& [name, strength] : state.visemes)
+    if (!(strength >= 0.0 && strength <= 1.0))
+      return "viseme strength " + number(strength) + " of " + name + " is outside 0 .. 1";
+  if (state.visemes.size() <= FaceState::mostVisemes) return {};
+  return std::to_string(state.visemes.size()) + " visemes are more than the two that mix";
+}
+
 std::string describeDeformationFault(const FaceState& state) {
   const double limit = FaceState::largestStrength;
   if (std::abs(state.deformation.strength) <= limit) return {};
@@ -82,7 +90,7 @@ std::string describeFault(const FaceState& state, int pointsPerCurve) {
        {describeFault(state.surface, pointsPerCurve),
         describeResolutionFault(state.rows, state.columns, RowLayout::minimumRows),
         describeEditFault(state, pointsPerCurve), describeFrameFault(state), describeFAPFault(state),
-        describeExpressionFault(state), describeDeformationFault(state)})
+        describeExpressionFault(state), describeVisemeFault(state), describeDeformationFault(state)})
     if (!fault.empty()) return fault;
   return {};
 }

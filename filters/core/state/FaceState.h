@@ -26,6 +26,7 @@ struct FaceDeformation {
 struct FaceState {
   static constexpr int smallestColumns = mien::smallestColumns;
   static constexpr double largestFAPValue = 1e6;  ///< in FAP units, either sign
+  static constexpr int mostVisemes = 2;           ///< mixed at a time
   static constexpr double largestStrength = 2.0;  ///< of a deformation, either sign
 
   /// Which frame of an animation file.
@@ -52,6 +53,7 @@ struct FaceState {
   std::string animationTable;                 ///< .json of what each FAP moves; empty: the table compiled in
   std::map<int, double> fapValues;            ///< FAP 3 .. 68 to FAP units; they add to those of the file
   std::map<std::string, double> expressions;  ///< "joy" .. to 0 .. 1; several mix
+  std::map<std::string, double> visemes;      ///< "p b m" .. to 0 .. 1; at most two, as in FAP 1
 
   FaceDeformation deformation;
 

@@ -119,10 +119,18 @@ void readAnimation(const json& object, FaceState& state, std::string& fault) {
   members.refuseOthers();
 }
 
-void readExpressions(const json& object, FaceState& state, std::string& fault) {
-  Members members(object, "expressions", fault);
+void readShapes(const json& object, const char* section, std::map<std::string, double>& shapes, std::string& fault) {
+  Members members(object, section, fault);
   if (!object.is_object()) return;
-  for (const auto& item : object.items()) members.read(item.key().c_str(), state.expressions[item.key()]);
+  for (const auto& item : object.items()) members.read(item.key().c_str(), shapes[item.key()]);
+}
+
+void readExpressions(const json& object, FaceState& state, std::string& fault) {
+  readShapes(object, "expressions", state.expressions, fault);
+}
+
+void readVisemes(const json& object, FaceState& state, std::string& fault) {
+  readShapes(object, "visemes", state.visemes, fault);
 }
 
 void readDeformation(const json& object, FaceState& state, std::string& fault) {
@@ -203,14 +211,10 @@ void readAll(const json& object, FaceState& state, std::string& fault) {
   members.read("curves", state.curvesFile);
   members.read("animation_table", state.animationTable);
   using Section = void (*)(const json&, FaceState&, std::string&);
-  const std::pair<const char*, Section> sections[] = {{"edits", readEdits},
-                                                      {"surface", readSurface},
-                                                      {"grid", readGrid},
-                                                      {"animation", readAnimation},
-                                                      {"expressions", readExpressions},
-                                                      {"fap_values", readFAPValues},
-                                                      {"deformation", readDeformation},
-                                                      {"texture", readTexture}};
+  const std::pair<const char*, Section> sections[] = {
+      {"edits", readEdits},          {"surface", readSurface},         {"grid", readGrid},
+      {"animation", readAnimation},  {"expressions", readExpressions}, {"visemes", readVisemes},
+      {"fap_values", readFAPValues}, {"deformation", readDeformation}, {"texture", readTexture}};
   for (const auto& [key, read] : sections)
     if (const json* section = members.find(key)) read(*section, state, fault);
   members.refuseOthers();
@@ -262,6 +266,7 @@ std::string writeFaceState(const FaceState& state) {
   if (!state.fapValues.empty()) object["fap_values"] = fapValues(state);
   if (!state.animationTable.empty()) object["animation_table"] = state.animationTable;
   if (!state.expressions.empty()) object["expressions"] = state.expressions;
+  if (!state.visemes.empty()) object["visemes"] = state.visemes;
   if (!(state.deformation == FaceDeformation()))
     object["deformation"] = {{"table", state.deformation.table},
                              {"strength", state.deformation.strength},
