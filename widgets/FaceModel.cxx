@@ -129,7 +129,8 @@ void FaceModel::followAnimation() {
 
 /// A face at rest fills the view again, whatever it did before.
 void FaceModel::followReach() {
-  const bool rests = good_.fapFile.empty() && good_.fapValues.empty() && good_.expressions.empty();
+  const bool rests =
+      good_.fapFile.empty() && good_.fapValues.empty() && good_.expressions.empty() && good_.visemes.empty();
   const bool shrinks = rests && reach_->hasGrown();
   if (shrinks) reach_->plan(good_, motion_);
   if (reach_->add(pipeline_) || shrinks) emit reachChanged();
@@ -185,7 +186,7 @@ bool FaceModel::openAnimation(const QString& fileName) {
   const bool again = !fileName.isEmpty() && fileName != "-" && state_.fapFile == fileName.toStdString();
   const QString fault = again ? faultOnDisk(fileName) : QString();
   if (!fault.isEmpty()) {
-    emit failed(fault, tr("The animation stays as it was read before."));
+    emit failed(fault, tr("The face is as it was before."));
     return false;
   }
   if (again) pipeline_.frames()->Modified();
@@ -314,6 +315,9 @@ double FaceModel::shownFAP(int fap) const {
     value += motion_.frameAtTime(framePosition() / motion_.framesPerSecond, interpolates()).value(fap);
   for (const auto& [name, intensity] : state_.expressions)
     value += intensity * vtkFAPAnimationFilter::GetExpressionFAP(name, fap);
+  FAPFrame spoken;
+  for (const auto& [name, strength] : state_.visemes) defaultVisemes().add(name, strength, spoken);
+  value += spoken.value(fap);
   return value;
 }
 

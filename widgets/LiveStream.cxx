@@ -56,7 +56,7 @@ void LiveStream::finish(const QString& fault) {
   if (!fault.isEmpty())
     emit failed(fault, tr("The frames before it stay."));
   else if (model_->isLive())
-    emit ended(tr("The stream has ended after %n frame(s); Play shows them again.", nullptr, model_->frameCount()), {});
+    emit ended(tr("The stream has ended after %1 frames; Play shows them again.").arg(model_->frameCount()), {});
 }
 
 }  // namespace mien

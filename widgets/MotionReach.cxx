@@ -16,6 +16,7 @@ namespace mien {
 namespace {
 
 constexpr double slack = 0.5;  // mm: less does not move the camera
+constexpr size_t between = 48;
 constexpr double half = 0.70710678118654752;
 
 /// Along the axes of the views from the front, 45 degrees and the side.
@@ -23,7 +24,8 @@ constexpr double directions[][3] = {{1.0, 0.0, 0.0},    {-1.0, 0.0, 0.0},  {0.0,
                                     {0.0, 0.0, 1.0},    {0.0, 0.0, -1.0},  {half, 0.0, half}, {-half, 0.0, -half},
                                     {half, 0.0, -half}, {-half, 0.0, half}};
 
-/// The frames in which a FAP is at one of its ends.
+/// The frames in which a FAP is at one of its ends, and some evenly between: a head that nods reaches furthest on the
+/// way.
 std::set<size_t> extremeFrames(const FAPSequence& motion) {
   std::set<size_t> frames;
   for (int fap : motion.fapsUsed()) {
@@ -34,6 +36,8 @@ std::set<size_t> extremeFrames(const FAPSequence& motion) {
     }
     frames.insert({least, most});
   }
+  for (size_t i = 0; i < between && !motion.frames.empty(); ++i)
+    frames.insert(i * (motion.frames.size() - 1) / (between - 1));
   return frames;
 }
 

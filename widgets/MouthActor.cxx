@@ -25,7 +25,7 @@ MouthActor::MouthActor(vtkRenderer* renderer) {
   mapper->ScalarVisibilityOff();
   actor_->SetMapper(mapper);
   actor_->GetProperty()->LightingOff();
-  actor_->GetProperty()->SetColor(dark);
+  actor_->GetProperty()->SetColor(dark[0], dark[1], dark[2]);
   renderer->AddActor(actor_);
 }
 

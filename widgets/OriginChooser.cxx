@@ -23,6 +23,8 @@ QString describe(const FaceModel& model) {
   if (model.frameCount() > 0) parts << OriginChooser::tr("frame %1").arg(model.frameNumber());
   for (const auto& [name, intensity] : state.expressions)
     parts << QString("%1 %2 %").arg(QString::fromStdString(name)).arg(qRound(100.0 * intensity));
+  for (const auto& [name, strength] : state.visemes)
+    parts << QString("%1 %2 %").arg(QString::fromStdString(name)).arg(qRound(100.0 * strength));
   if (!state.fapValues.empty())
     parts << OriginChooser::tr("%n FAP(s)", nullptr, static_cast<int>(state.fapValues.size()));
   return parts.isEmpty() ? OriginChooser::tr("neutral") : parts.join(", ");

@@ -26,6 +26,7 @@ namespace {
 constexpr double viewAngle = 14.0;   // degrees: a portrait lens, nearly parallel
 constexpr double margin = 0.075;     // of the face's extent, around it at rest; its near parts look larger
 constexpr double thinMargin = 0.03;  // around all that it reaches
+constexpr double mostReach = 0.6;    // values beyond all sense must not make a face a dot
 
 double degrees(RenderView::Side side) {
   return side == RenderView::Side::Front ? 0.0 : side == RenderView::Side::FortyFive ? 45.0 : 90.0;
@@ -70,9 +71,11 @@ Outline outlineFrom(RenderView::Side side, const FaceModel& model) {
   for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i) add(axes, curves->GetPoint(i), rest);
   for (const MotionReach::Point& point : model.reach().points()) add(axes, point.data(), reach);
   for (int axis : {0, 1}) {
-    const double room = margin * rest.size(axis), least = thinMargin * rest.size(axis);
-    rest.low[axis] = std::min(rest.low[axis] - room, reach.low[axis] - least);
-    rest.high[axis] = std::max(rest.high[axis] + room, reach.high[axis] + least);
+    const double size = rest.size(axis), room = margin * size, most = mostReach * size;
+    const double below = rest.low[axis] - reach.low[axis] + thinMargin * size;
+    const double beyond = reach.high[axis] - rest.high[axis] + thinMargin * size;
+    rest.low[axis] -= std::clamp(below, room, most);
+    rest.high[axis] += std::clamp(beyond, room, most);
   }
   return rest;
 }

@@ -315,6 +315,7 @@ void StudioWindow::resetAll() {
   model_->change([](FaceState& state) {
     state.fapValues.clear();
     state.expressions.clear();
+    state.visemes.clear();
     state.fapFile.clear();
     state.frame = 0.0;
     state.deformation = {};

@@ -59,12 +59,12 @@ VectorControls::VectorControls(RenderView* view, QWidget* origin, QWidget* paren
     : QWidget(parent), other_(view), grid_(new QGridLayout(this)) {
   setObjectName("vectorControls");
   grid_->setContentsMargins(0, 0, 0, 0);
-  grid_->setVerticalSpacing(3);
+  grid_->setVerticalSpacing(1);
   grid_->setHorizontalSpacing(6);
   add(tr("Against"), origin);
   buildPicture();
   buildArrows();
-  for (int column : {1, 2, 4, 5}) grid_->setColumnStretch(column, 1);
+  grid_->setColumnStretch(1, 1);
   connectAll();
   followChoices();
 }
@@ -102,16 +102,13 @@ QCheckBox* VectorControls::check(const char* name, const QString& text, const QS
   return made;
 }
 
-/// Row after row, two beside each other.
 void VectorControls::add(const QString& name, QWidget* first, QWidget* second) {
-  const int row = count_ / 2, column = 3 * (count_ % 2);
   auto* label = new QLabel(name, this);
   label->setBuddy(first);
-  if (column > 0) label->setContentsMargins(8, 0, 0, 0);
   first->setAccessibleName(name);
-  grid_->addWidget(label, row, column);
-  grid_->addWidget(first, row, column + 1, 1, second ? 1 : 2);
-  if (second) grid_->addWidget(second, row, column + 2);
+  grid_->addWidget(label, count_, 0);
+  grid_->addWidget(first, count_, 1, 1, second ? 1 : 2);
+  if (second) grid_->addWidget(second, count_, 2);
   ++count_;
 }
 
@@ -165,9 +162,10 @@ void VectorControls::buildArrows() {
   add(tr("Colours"), color_, map_);
   add(tr("Range"), range_, rangeValue_);
   auto* checks = new QHBoxLayout;
-  for (QCheckBox* box : {head_, whole_, seams_}) checks->addWidget(box);
+  for (QCheckBox* box : {whole_, seams_}) checks->addWidget(box);
   checks->addStretch();
-  grid_->addLayout(checks, grid_->rowCount(), 0, 1, 6);
+  grid_->addWidget(head_, count_, 0, 1, 3);
+  grid_->addLayout(checks, count_ + 1, 0, 1, 3);
 }
 
 void VectorControls::connectAll() {

@@ -13,7 +13,7 @@ namespace mien {
 
 class RenderView;
 
-/// How is a motion vector field drawn? Origin, view, region, sampling, arrows, colours, in two columns. Its widgets are
+/// How is a motion vector field drawn? Origin, view, region, sampling, arrows, colours, below each other. Its widgets are
 /// named vectorsView, vectorsRegion, vectorsSampling, vectorsSpacing, vectorsScale, vectorsScaleValue, vectorsLength,
 /// vectorsColor, vectorsColorMap, vectorsRange, vectorsRangeValue, vectorsHead, vectorsWhole and vectorsSeams.
 class VectorControls : public QWidget {

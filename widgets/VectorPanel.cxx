@@ -34,8 +34,10 @@ namespace mien {
 
 namespace {
 
-constexpr int sideWidth = 590;     // pixels
+constexpr int sideWidth = 330;     // pixels
 constexpr double shape = 0.9;      // widest figure over its height: a face is upright
+constexpr double wideShape = 1.7;  // with the key beside it
+constexpr double wideFrom = 1.3;   // room over height from which the key has its place beside the face
 constexpr double leastWidth = 55;  // mm, of a figure with a legible key
 constexpr double paperWidth = 85;  // mm, one column of a page
 
@@ -66,6 +68,7 @@ QWidget* VectorPanel::side() {
   numbers_->setObjectName("vectorsNumbers");
   numbers_->setProperty("faint", true);
   numbers_->setMinimumWidth(1);
+  numbers_->setWordWrap(true);
   numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* page = new QWidget;
   auto* fit = new QToolButton(page);
@@ -78,7 +81,7 @@ QWidget* VectorPanel::side() {
   fit->setFocusPolicy(Qt::TabFocus);
   connect(fit, &QToolButton::clicked, this, &VectorPanel::fit);
   auto* last = new QHBoxLayout;
-  last->addWidget(numbers_, 1);
+  last->addStretch();
   last->addWidget(fit);
   last->addWidget(new ExportButton(
       "vectorsExport", model_, [this] { return drawing(); }, [this] { return numbers(); }, page));
@@ -86,6 +89,7 @@ QWidget* VectorPanel::side() {
   column->setContentsMargins(0, 0, 4, 0);
   column->setSpacing(3);
   column->addWidget(controls_);
+  column->addWidget(numbers_);
   column->addLayout(last);
   column->addStretch();
   auto* scroll = new QScrollArea(this);  // a low dock must not make the window higher
@@ -141,7 +145,9 @@ void VectorPanel::refresh() {
 void VectorPanel::fitToScreen(MotionRequest& request) const {
   const double height = figure_->height() * millimetresPerPixel, room = figure_->width() * millimetresPerPixel;
   request.options.height = height;
-  request.options.width = std::min(room, std::max(leastWidth, shape * height));
+  request.options.keyBeside = room > wideFrom * height;
+  request.options.width =
+      std::min(room, std::max(leastWidth, (request.options.keyBeside ? wideShape : shape) * height));
   request.options.theme = screenTheme().name;
   request.options.background = Theme::current().panel;
 }
@@ -182,6 +188,7 @@ ExportDrawing VectorPanel::drawing() const {
   options.background = QColor();
   options.width = paperWidth;
   options.height = 0.0;
+  options.keyBeside = false;
   options.title = "Motion vectors";
   options.caption = "Motion from " + result.request.originName +
                     (result.request.headMotionRemoved ? ", without the motion of the head" : "") + "; view " +

@@ -80,6 +80,7 @@ FaceState FaceMotion::neutralOf(const FaceState& state) {
   neutral.interpolateFrames = none.interpolateFrames;
   neutral.fapValues = none.fapValues;
   neutral.expressions = none.expressions;
+  neutral.visemes = none.visemes;
   neutral.deformation = none.deformation;
   return neutral;
 }

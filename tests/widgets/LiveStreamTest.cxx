@@ -56,6 +56,7 @@ class LiveStream : public StudioFixture {
 };
 
 TEST_F(LiveStream, FramesAreShownAsTheyCome) {
+  drawViews();
   send("2.1 live 25 0\n" + lids(0, 0));
   ASSERT_TRUE(waitUntil([this] { return frames() == 1; }));
   EXPECT_EQ(find<QLabel>("timelineTitle")->text(), "Live stream");

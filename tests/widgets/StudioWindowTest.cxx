@@ -90,6 +90,7 @@ TEST_F(StudioWindow, SidesAreLookedAtFromTheRightDirection) {
 }
 
 TEST_F(StudioWindow, DraggingTurnsTheFaceAndTheLinkedCurves) {
+  drawViews();
   auto* face = find<FaceView>("faceView");
   auto* curves = find<CurveView>("curveView");
   const auto before = direction(face);
@@ -201,6 +202,8 @@ TEST_F(StudioWindow, TheColourScaleTellsWhatLiesBeyondIt) {
 void drop(mien::StudioWindow& window, const QString& file) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(file)});
+  QDragEnterEvent enter(QPoint(600, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window, &enter);
   QDropEvent event(QPointF(600, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QCoreApplication::sendEvent(&window, &event);
 }

@@ -59,6 +59,8 @@ class MotionVectorFigure {
   double placePanels(double top, const QSizeF& free, int columns);
   double faceScaleWithin(const QSizeF& cell);
   VectorPanelPainter::Margins overhang(double faceScale) const;
+  void addKey();
+  double panelsWidth() const;
   int columnCount() const;
   double headingHeight() const;
   double titleHeight() const;
@@ -79,6 +81,7 @@ class MotionVectorFigure {
   double reference_ = 0.0;
   std::pair<bool, bool> beyond_ = {false, false};
   double arrowRoom_ = 0.0;  ///< figure units
+  double keyLeft_ = 0.0;
   double keyTop_ = 0.0, wordsTop_ = 0.0;
 };
 

@@ -30,6 +30,7 @@ struct MotionVectorOptions {
   Length length = Length::Seen;
   Color color = Color::Magnitude;
   std::string colorMap = "viridis";  ///< of ColorTable; "_r" behind the name turns it around
+  bool keyBeside = false;            ///< the key stands to the right of the panels, not below them
   bool seams = true;                 ///< whether the lines between patches are drawn
 
   std::string theme = "light";       ///< of FigureTheme

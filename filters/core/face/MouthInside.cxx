@@ -36,8 +36,8 @@ MouthInside::MouthInside(const FaceCurves& face) {
     middle += 0.5 * (upper + lower) / (last - first + 1);
   }
   if (gap < leastGap) return;
-  const Eigen::Vector3d head = face.curves.points.colwise().mean().transpose();
-  const Eigen::Vector3d inwards = (head - middle).normalized();
+  const Eigen::Vector3d axis = face.curves.curve(FaceLayout::upperLip).colwise().mean().transpose();
+  const Eigen::Vector3d inwards = (axis - middle).normalized();
   points.push_back(middle + depth * inwards);
   for (int curve : {FaceLayout::upperLip, FaceLayout::lowerLip})
     for (int i = first; i <= last; ++i) {
