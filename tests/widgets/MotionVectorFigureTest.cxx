@@ -221,7 +221,7 @@ TEST(ArrowShape, IsAsLongAsAskedHoweverShort) {
   EXPECT_TRUE(mien::arrowShape({1.0, 1.0}, {1.0, 1.0}).isEmpty());
 }
 
-TEST(MotionVectorFigure, AKeyBesideThePanelLeavesTheHeightToTheFace) {
+TEST_F(MotionVectorFigure, AKeyBesideThePanelLeavesTheHeightToTheFace) {
   mien::MotionVectorOptions options;
   options.width = 160.0;
   options.height = 90.0;

@@ -220,6 +220,7 @@ TEST_F(TimelinePanel, AFileThatWasOverwrittenWithNonsenseStaysAsItWasRead) {
   const QString name = writeLids(11, 5);
   ASSERT_TRUE(window->openAnimation(name));
   window->model().showFrame(4);
+  settle();
   QFile file(name);
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write("2.1 lids 5 1\nno mask\n");
