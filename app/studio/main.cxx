@@ -41,6 +41,9 @@ void name() {
 
 struct Options {
   QCommandLineOption play = {"play", "Play the file at once; without a file, the demonstration."};
+  QCommandLineOption table = {
+      "fat", "Your own animation table, which says what each FAP moves (`mien fat check` tells what is wrong with it).",
+      "FILE.json"};
   QCommandLineOption state = {"state", "Shows the face of this file, as figures carry it.", "FILE.json"};
   QCommandLineOption picture = {"picture", "Writes a picture of the window and ends.", "FILE.png"};
 };
@@ -50,7 +53,7 @@ void read(QCommandLineParser& arguments, const Options& options, const QCoreAppl
   arguments.setApplicationDescription("Shows and animates a PDE face.");
   arguments.addPositionalArgument(
       "FILE.fap", "A facial animation to open, .fap or .csv; - plays a .fap stream from standard input.", "[FILE.fap]");
-  arguments.addOptions({options.play, options.state, options.picture});
+  arguments.addOptions({options.play, options.table, options.state, options.picture});
   arguments.addHelpOption();
   arguments.addVersionOption();
   arguments.process(application);
@@ -78,6 +81,7 @@ int main(int argc, char** argv) {
   mien::Theme::apply(mien::Theme::Kind::Light, application);
   mien::StudioWindow window;
   window.show();
+  if (arguments.isSet(options.table)) window.openAnimationTable(arguments.value(options.table));
   if (arguments.isSet(options.state)) {
     const QString fault = mien::WindowPicture::show(window, arguments.value(options.state));
     if (!fault.isEmpty()) return std::fprintf(stderr, "mien-studio: %s\n", qPrintable(fault)), EXIT_FAILURE;
@@ -89,7 +93,7 @@ int main(int argc, char** argv) {
   if (!files.isEmpty() && files.first() == "-") {
     window.playStream(0);
   } else if (!files.isEmpty()) {
-    if (window.openAnimation(files.first()) && arguments.isSet(options.play)) window.player().play();
+    if (window.openFile(files.first()) && arguments.isSet(options.play)) window.player().play();
   } else if (arguments.isSet(options.play)) {
     window.playDemonstration();
   }
