@@ -1,6 +1,5 @@
 #include "AnimationData.h"
 
-#include <fstream>
 #include <map>
 #include <numeric>
 #include <string>
@@ -10,6 +9,7 @@
 #include "ExpressionsFile.h"
 #include "FaceLayout.h"
 #include "FacialActionsFile.h"
+#include "TextFileReader.h"
 #include "VisemesFile.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -91,13 +91,9 @@ vtkSmartPointer<vtkPolyData> withOwnPoints(vtkPolyData* data) {
 
 std::string readAnimationTable(const std::string& fileName, AnimationTable& table) {
   if (fileName.empty()) return table.parse(AnimationTableFile());
-  std::ifstream file(fileName, std::ios::binary);
-  std::string text(largestTable + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad() || (file.gcount() == 0 && !file.eof()))
-    return fileName + ": the animation table cannot be read; give a JSON file";
-  text.resize(file.gcount());
-  if (text.size() > largestTable) return fileName + ": the file is larger than 4 MiB, and no animation table";
+  std::string text;
+  const std::string unreadable = readTextFile(fileName, largestTable, text, "JSON file of an animation table");
+  if (!unreadable.empty()) return fileName + ":" + unreadable;
   const std::string fault = table.parse(text);
   if (fault.empty()) return fault;
   return fileName + (table.faultLine() > 0 ? ":" + std::to_string(table.faultLine()) : "") + ": " + fault;

@@ -6,7 +6,7 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
-#include "vtkStructuredGrid.h"
+#include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace mien {
@@ -17,6 +17,7 @@ namespace {
 template <class Function>
 vtkIdType forCells(vtkPointSet* data, const Function& function) {
   vtkUnsignedCharArray* hidden = data->GetCellGhostArray();
+  if (hidden && hidden->GetNumberOfTuples() != data->GetNumberOfCells()) hidden = nullptr;
   vtkNew<vtkIdList> ids;
   const vtkIdType points = data->GetNumberOfPoints();
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell) {
@@ -27,12 +28,6 @@ vtkIdType forCells(vtkPointSet* data, const Function& function) {
     function(ids);
   }
   return -1;
-}
-
-Eigen::Vector3d pointOf(vtkPointSet* data, vtkIdType id) {
-  Eigen::Vector3d point;
-  data->GetPoint(id, point.data());
-  return point;
 }
 
 }  // namespace
@@ -47,24 +42,37 @@ std::string readEdges(vtkPointSet* data, MeshEdges& edges) {
   return fault < 0 ? "" : "cell " + std::to_string(fault) + " names a point that is not there; repair the mesh";
 }
 
-std::vector<Eigen::Vector3d> polygonNormals(vtkPointSet* data) {
-  std::vector<Eigen::Vector3d> normals(data->GetNumberOfPoints(), Eigen::Vector3d::Zero());
-  double volume = 0.0;
-  bool any = false;
+MeshPolygons::MeshPolygons(vtkPointSet* data) : starts_{0} {
   const vtkIdType fault = forCells(data, [&](vtkIdList* ids) {
     if (ids->GetNumberOfIds() < 3) return;
-    any = true;
-    const Eigen::Vector3d first = pointOf(data, ids->GetId(0));
-    Eigen::Vector3d area = Eigen::Vector3d::Zero();
-    for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
-      area += (pointOf(data, ids->GetId(i - 1)) - first).cross(pointOf(data, ids->GetId(i)) - first);
-    volume += area.dot(first);
-    for (const vtkIdType id : *ids) normals[id] += area;
+    corners_.insert(corners_.end(), ids->begin(), ids->end());
+    starts_.push_back(static_cast<vtkIdType>(corners_.size()));
   });
-  if (!any || fault >= 0) return {};
+  if (fault >= 0) *this = MeshPolygons();
+}
+
+std::vector<Eigen::Vector3d> MeshPolygons::normals(vtkPoints* points) const {
+  if (empty()) return {};
+  std::vector<Eigen::Vector3d> places(points->GetNumberOfPoints());
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    points->GetPoint(static_cast<vtkIdType>(i), places[i].data());
+    middle += places[i] / double(places.size());
+  }
+  std::vector<Eigen::Vector3d> normals(places.size(), Eigen::Vector3d::Zero());
+  double outwards = 0.0;
+  for (std::size_t polygon = 0; polygon + 1 < starts_.size(); ++polygon) {
+    const vtkIdType begin = starts_[polygon], end = starts_[polygon + 1];
+    const Eigen::Vector3d& first = places[corners_[begin]];
+    Eigen::Vector3d area = Eigen::Vector3d::Zero();
+    for (vtkIdType i = begin + 2; i < end; ++i)
+      area += (places[corners_[i - 1]] - first).cross(places[corners_[i]] - first);
+    outwards += area.dot(first - middle);
+    for (vtkIdType i = begin; i < end; ++i) normals[corners_[i]] += area;
+  }
   for (Eigen::Vector3d& normal : normals) {
     normal.stableNormalize();
-    if (volume < 0.0) normal = -normal;
+    if (outwards < 0.0) normal = -normal;
   }
   return normals;
 }

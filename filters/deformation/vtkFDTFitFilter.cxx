@@ -20,12 +20,11 @@ namespace {
 /// Which points take part: neither the pupils nor, on a mesh, what is not wholly on the face.
 std::vector<vtkIdType> chosenPoints(vtkPointSet* data, const mien::FaceFrame& frame,
                                     const mien::FaceFrameOptions& options, const mien::FacialRegions& regions) {
-  auto* names = vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray("marker"));
+  vtkStringArray* names = mien::markerNames(data);
   std::vector<vtkIdType> chosen;
   for (std::size_t i = 0; i < frame.points.size(); ++i) {
     const Eigen::Vector3d place = frame.pupils.apply(frame.points[i].position);
-    const bool face = !frame.isMesh || (regions.outlineWeight(place.head<2>()) == 1.0 &&
-                                        regions.facingWeight(place.z(), frame.points[i].normalZ) == 1.0);
+    const bool face = !frame.isMesh || mien::coverageOf(regions, place, frame.points[i]) == 1.0;
     const bool pupil =
         names && (names->GetValue(i) == options.leftPupilName || names->GetValue(i) == options.rightPupilName);
     if (face && !pupil) chosen.push_back(static_cast<vtkIdType>(i));
@@ -97,15 +96,22 @@ int vtkFDTFitFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
   const auto named = [](const char* state, const std::string& text) {
     return text.empty() ? text : state + (": " + text);
   };
-  if (fault.empty()) fault = named("neutral face", mien::readFaceFrame(neutral, options, regions, before));
-  if (fault.empty()) fault = named("expression", mien::readFaceFrame(expression, others, regions, after));
+  if (fault.empty())
+    fault =
+        named("neutral face", mien::readFaceFrame(neutral, options, regions, before, this->ReportProgress(0.0, 0.45)));
+  if (fault.empty())
+    fault =
+        named("expression", mien::readFaceFrame(expression, others, regions, after, this->ReportProgress(0.45, 0.9)));
   if (this->GetAbortExecute()) return 1;
   if (fault.empty())
-    fault = fit.fit(samplesOf(before, after, chosenPoints(neutral, before, options, regions), regions), this->Strict);
+    fault = fit.fit(samplesOf(before, after, chosenPoints(neutral, before, options, regions), regions),
+                    {this->Strict, this->AllowEmptyRegions});
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
+  for (const auto& [state, frame] : {std::pair("neutral face", &before), {"expression", &after}})
+    if (!frame->warning.empty()) vtkWarningMacro(<< state << ": " << frame->warning);
   this->RMS = fit.rms;
   this->Warning = fit.warning();
   if (!this->Warning.empty()) vtkWarningMacro(<< this->Warning);
@@ -124,5 +130,6 @@ void vtkFDTFitFilter::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "OtherRightPupil: " << this->OtherRightPupil[0] << " " << this->OtherRightPupil[1] << " "
      << this->OtherRightPupil[2] << "\n";
   os << indent << "Strict: " << (this->Strict ? "on" : "off") << "\n";
+  os << indent << "AllowEmptyRegions: " << (this->AllowEmptyRegions ? "on" : "off") << "\n";
   os << indent << "RMS: " << this->RMS << "\n";
 }

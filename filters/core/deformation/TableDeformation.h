@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "FacialRegions.h"
+#include "Progress.h"
 #include "PupilNormalisation.h"
 
 namespace mien {
@@ -13,8 +14,13 @@ struct DeformationPoint {
   Eigen::Vector3d position;  ///< in the face's own unit
   double normalZ = 1.0;      ///< of the unit normal
   FaceSide side;
-  int region = 0;  ///< 1 .. 16: given, whatever the place
+  int region = 0;      ///< 1 .. 16: given, whatever the place
+  bool stays = false;  ///< moves with the head alone: an eyeball
 };
+
+/// How much of a table's displacement counts at a point (`place` in pupil units): 1 on the face, 0 beyond its outline,
+/// on skin that faces backwards and for points that stay.
+double coverageOf(const FacialRegions& regions, const Eigen::Vector3d& place, const DeformationPoint& point);
 
 /// Moves the points of one face by tables; the weights of the regions are computed once.
 ///
@@ -26,8 +32,9 @@ class TableDeformation {
  public:
   static constexpr double displacementLimit = 1.5;
 
+  /// Where `progress` says stop, the points that are left get no place.
   TableDeformation(const std::vector<DeformationPoint>& points, const PupilNormalisation& pupils,
-                   const FacialRegions& regions, bool smooth);
+                   const FacialRegions& regions, bool smooth, const Progress& progress = {});
 
   std::size_t size() const { return places_.size(); }
 
