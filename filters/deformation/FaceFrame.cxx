@@ -108,24 +108,14 @@ Eigen::Vector3d unturned(const HeadRotation& turned, const Eigen::Vector3d& poin
 }
 
 std::string readPoints(vtkPointSet* data, FaceFrame& frame, const Progress& progress) {
-  vtkDataArray* normals = pointArray(data, "Normals", 3);
-  std::vector<Eigen::Vector3d> computed;
-  if (!normals && data->GetPoints()) computed = MeshPolygons(data).normals(data->GetPoints());
-  frame.isMesh = normals || !computed.empty();
+  frame.isMesh = hasPolygons(data);
   frame.points.resize(data->GetNumberOfPoints());
   for (std::size_t i = 0; i < frame.points.size(); ++i) {
     if (i % pointsBetweenReports == 0 && !goesOn(progress, double(i) / frame.points.size())) return stopped;
-    DeformationPoint& point = frame.points[i];
-    Eigen::Vector3d place, normal = Eigen::Vector3d::UnitZ();
+    Eigen::Vector3d place;
     data->GetPoint(i, place.data());
-    if (normals)
-      normals->GetTuple(i, normal.data());
-    else if (!computed.empty())
-      normal = computed[i];
-    if (!place.allFinite() || !normal.allFinite())
-      return "point " + std::to_string(i) + " has a position or normal that is not finite; repair the mesh";
-    point.position = unturned(frame.turned, place);
-    point.normalZ = (frame.turned.rotation.transpose() * normal).z();
+    if (!place.allFinite()) return "point " + std::to_string(i) + " has a position that is not finite; repair the mesh";
+    frame.points[i].position = unturned(frame.turned, place);
   }
   return {};
 }

@@ -13,7 +13,8 @@ namespace mien {
 
 namespace {
 
-/// Calls function(ids) for each visible cell. @return the first cell that names a point that is not there, -1 for none
+/// Calls function(ids) for each visible cell until it says stop. @return the first cell that names a point that is not
+/// there, -1 for none
 template <class Function>
 vtkIdType forCells(vtkPointSet* data, const Function& function) {
   vtkUnsignedCharArray* hidden = data->GetCellGhostArray();
@@ -25,7 +26,7 @@ vtkIdType forCells(vtkPointSet* data, const Function& function) {
     data->GetCellPoints(cell, ids);
     for (const vtkIdType id : *ids)
       if (id < 0 || id >= points) return cell;
-    function(ids);
+    if (!function(ids)) break;
   }
   return -1;
 }
@@ -38,15 +39,23 @@ std::string readEdges(vtkPointSet* data, MeshEdges& edges) {
     const vtkIdType count = ids->GetNumberOfIds();
     for (vtkIdType i = 0; count > 1 && i < (count == 2 ? 1 : count); ++i)
       edges.push_back({static_cast<int>(ids->GetId(i)), static_cast<int>(ids->GetId((i + 1) % count))});
+    return true;
   });
   return fault < 0 ? "" : "cell " + std::to_string(fault) + " names a point that is not there; repair the mesh";
 }
 
+bool hasPolygons(vtkPointSet* data) {
+  bool found = false;
+  forCells(data, [&](vtkIdList* ids) { return !(found = ids->GetNumberOfIds() > 2); });
+  return found;
+}
+
 MeshPolygons::MeshPolygons(vtkPointSet* data) : starts_{0} {
   const vtkIdType fault = forCells(data, [&](vtkIdList* ids) {
-    if (ids->GetNumberOfIds() < 3) return;
+    if (ids->GetNumberOfIds() < 3) return true;
     corners_.insert(corners_.end(), ids->begin(), ids->end());
     starts_.push_back(static_cast<vtkIdType>(corners_.size()));
+    return true;
   });
   if (fault >= 0) *this = MeshPolygons();
 }

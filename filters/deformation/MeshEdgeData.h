@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "FaceSides.h"
+#include "vtkType.h"
 
 class vtkPoints;
 class vtkPointSet;
@@ -13,6 +14,9 @@ namespace mien {
 /// The edges of the visible cells (polygons, triangles, quads, lines). @return nothing, or which cell names a point
 /// that is not there
 std::string readEdges(vtkPointSet* data, MeshEdges& edges);
+
+/// Whether any visible cell is a polygon.
+bool hasPolygons(vtkPointSet* data);
 
 /// The visible polygons of a mesh, kept to compute normals again when the points have moved.
 class MeshPolygons {

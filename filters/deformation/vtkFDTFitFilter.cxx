@@ -46,6 +46,10 @@ mien::TableSamples samplesOf(const mien::FaceFrame& before, const mien::FaceFram
   return samples;
 }
 
+std::string ofState(const char* state, const std::string& text) {
+  return text.empty() ? text : state + (": " + text);
+}
+
 void addColumn(vtkTable* table, const char* name, const mien::TableFit& fit,
                double (*value)(const mien::QuadraticFit&)) {
   vtkNew<vtkDoubleArray> column;
@@ -93,15 +97,10 @@ int vtkFDTFitFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     fault = "the neutral face has " + std::to_string(neutral->GetNumberOfPoints()) + " points and the expression " +
             std::to_string(expression->GetNumberOfPoints()) + "; give the same points before and after";
   if (fault.empty() && neutral->GetNumberOfPoints() == 0) fault = "there are no points; give a face before and after";
-  const auto named = [](const char* state, const std::string& text) {
-    return text.empty() ? text : state + (": " + text);
-  };
   if (fault.empty())
-    fault =
-        named("neutral face", mien::readFaceFrame(neutral, options, regions, before, this->ReportProgress(0.0, 0.45)));
+    fault = ofState("neutral face", mien::readFaceFrame(neutral, options, regions, before, ReportProgress(0.0, 0.45)));
   if (fault.empty())
-    fault =
-        named("expression", mien::readFaceFrame(expression, others, regions, after, this->ReportProgress(0.45, 0.9)));
+    fault = ofState("expression", mien::readFaceFrame(expression, others, regions, after, ReportProgress(0.45, 0.9)));
   if (this->GetAbortExecute()) return 1;
   if (fault.empty())
     fault = fit.fit(samplesOf(before, after, chosenPoints(neutral, before, options, regions), regions),
@@ -110,8 +109,8 @@ int vtkFDTFitFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     vtkErrorMacro(<< fault);
     return 0;
   }
-  for (const auto& [state, frame] : {std::pair("neutral face", &before), {"expression", &after}})
-    if (!frame->warning.empty()) vtkWarningMacro(<< state << ": " << frame->warning);
+  const std::string aside = ofState("neutral face", before.warning) + ofState("expression", after.warning);
+  if (!aside.empty()) vtkWarningMacro(<< aside);
   this->RMS = fit.rms;
   this->Warning = fit.warning();
   if (!this->Warning.empty()) vtkWarningMacro(<< this->Warning);

@@ -69,7 +69,9 @@ TEST(TableFit, RegionsWithoutPointsStayAsTheyAreWhenAllowed) {
   for (const int region : {1, 2})
     EXPECT_EQ(without.table.maps[region - 1].coefficients, QuadraticMap::identity()) << region;
   for (const int region : {3, 9, 12, 16})
-    EXPECT_EQ(without.table.maps[region - 1].coefficients, whole.table.maps[region - 1].coefficients) << region;
+    // Fewer than twelve points: the noise, of which regions 4 and 5 have some more now, decides their ridge.
+    EXPECT_LT((without.table.maps[region - 1].coefficients - whole.table.maps[region - 1].coefficients).norm(), 1e-5)
+        << region;
   EXPECT_TRUE(std::isfinite(without.rms) && without.rms > 0.0);
   EXPECT_NE(TableFit().fit(TableSamples(), {false, true}), "") << "no point at all";
 }

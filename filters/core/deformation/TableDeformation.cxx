@@ -12,12 +12,14 @@ namespace {
 constexpr std::size_t pointsBetweenReports = 65536;
 
 // Distances from a region's centre, pupil units, for tables whose points are not known.
-constexpr double fullTrust = 0.8, noTrust = 1.4;
+constexpr double fullTrust = 0.6, noTrust = 1.1;
+// Distances from the midline: beside the mouth corners such tables run away first, and fold the jaw.
+constexpr double fullTrustAside = 1.2, noTrustAside = 2.0;
 
 }  // namespace
 
 double coverageOf(const FacialRegions& regions, const Eigen::Vector3d& place, const DeformationPoint& point) {
-  return point.stays ? 0.0 : regions.outlineWeight(place.head<2>()) * regions.facingWeight(place.z(), point.normalZ);
+  return point.stays ? 0.0 : regions.outlineWeight(place.head<2>()) * regions.depthWeight(place.z());
 }
 
 TableDeformation::TableDeformation(const std::vector<DeformationPoint>& points, const PupilNormalisation& pupils,
@@ -47,7 +49,8 @@ TableDeformation::TableDeformation(const std::vector<DeformationPoint>& points, 
 
 void TableDeformation::addShare(const FacialRegions& regions, const Eigen::Vector2d& point, int region, double weight) {
   const double distance = (point - regions.centre(region)).norm();
-  const double trust = smoothStep((noTrust - distance) / (noTrust - fullTrust));
+  const double trust = smoothStep((noTrust - distance) / (noTrust - fullTrust)) *
+                       smoothStep((noTrustAside - std::abs(point.x())) / (noTrustAside - fullTrustAside));
   shares_.push_back({weight, weight * trust, region - 1});
 }
 
