@@ -25,7 +25,18 @@ namespace mien {
 
 namespace {
 
-constexpr size_t largestTable = 4 << 20;  // bytes
+constexpr size_t largestFile = 4 << 20;  // bytes
+
+/// Reads the text of `what` ("animation table"). @return nothing, or what is wrong with the file
+std::string readText(const std::string& fileName, const std::string& what, std::string& text) {
+  const std::string fault = readTextFile(fileName, largestFile, text, "JSON file with the " + what);
+  return fault.empty() ? fault : fileName + ":" + fault;
+}
+
+/// A fault with the file and, if it is known, the line.
+std::string placed(const std::string& fileName, int line, const std::string& fault) {
+  return fault.empty() ? "" : fileName + (line > 0 ? ":" + std::to_string(line) : "") + ": " + fault;
+}
 
 /// The curve that a line holds: by `CurveId`, else by the order of the lines; -1 for none.
 int curveOfLine(vtkPolyData* data, vtkIdType line) {
@@ -91,12 +102,18 @@ vtkSmartPointer<vtkPolyData> withOwnPoints(vtkPolyData* data) {
 
 std::string readAnimationTable(const std::string& fileName, AnimationTable& table) {
   if (fileName.empty()) return table.parse(AnimationTableFile());
-  std::string text;
-  const std::string unreadable = readTextFile(fileName, largestTable, text, "JSON file of an animation table");
-  if (!unreadable.empty()) return fileName + ":" + unreadable;
-  const std::string fault = table.parse(text);
-  if (fault.empty()) return fault;
-  return fileName + (table.faultLine() > 0 ? ":" + std::to_string(table.faultLine()) : "") + ": " + fault;
+  std::string text, fault = readText(fileName, "animation table", text);
+  if (!fault.empty()) return fault;
+  fault = table.parse(text);
+  return placed(fileName, table.faultLine(), fault);
+}
+
+std::string readFacialActions(const std::string& fileName, FacialActionMap& map) {
+  if (fileName.empty()) return map.parse(FacialActionsFile());
+  std::string text, fault = readText(fileName, "facial action map", text);
+  if (!fault.empty()) return fault;
+  fault = map.parse(text);
+  return placed(fileName, map.faultLine, fault);
 }
 
 const ExpressionLibrary& defaultExpressions() {

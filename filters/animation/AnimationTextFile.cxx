@@ -10,6 +10,10 @@
 
 namespace mien {
 
+std::string shownAnimationName(const std::string& name) {
+  return name == "-" ? "standard input" : name;
+}
+
 std::string readAnimationText(const std::string& name, std::string& text) {
   text.clear();
   std::error_code ignored;
