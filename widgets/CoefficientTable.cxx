@@ -20,10 +20,6 @@ constexpr int lineHeight = 26, leastWidth = 44;  // pixels
 constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
 constexpr const char* units[] = {"1/pupil unit", "1/pupil unit", "1/pupil unit", "no unit", "no unit", "pupil units"};
 
-std::string coefficientName(int coefficient) {
-  return (coefficient < 6 ? "a" : "b") + std::to_string(coefficient % 6 + 1);
-}
-
 double valueOf(const DeformationTable& table, int region, int coefficient) {
   return table.maps[region - 1].coefficients(coefficient / 6, coefficient % 6);
 }

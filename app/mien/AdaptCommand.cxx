@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -15,6 +14,7 @@
 #include "PictureFit.h"
 #include "PolyDataFile.h"
 #include "ReferenceFace.h"
+#include "TextFileReader.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
@@ -28,17 +28,11 @@ struct Options {
 };
 
 FaceLandmarks readPicture(const std::string& name) {
-  constexpr std::streamsize largest = 1 << 20;  // bytes
-  std::ifstream file(name, std::ios::binary);
-  std::string text(largest + 1, '\0');
-  file.read(text.data(), largest + 1);
-  if (file.gcount() == 0)
-    throw FileFailure(name + ": there is no such file or it is empty; give a CSV file with 68 landmarks");
-  if (file.gcount() > largest)
-    throw FileFailure(name + ": the file is larger than 1 MiB; give a CSV file with 68 landmarks");
-  text.resize(static_cast<size_t>(file.gcount()));
+  constexpr std::size_t largest = 1 << 20;  // bytes
+  std::string text;
   FaceLandmarks landmarks;
-  const std::string fault = parsePictureLandmarks(text, landmarks);
+  std::string fault = readTextFile(name, largest, text, "CSV file with 68 landmarks");
+  if (fault.empty()) fault = parsePictureLandmarks(text, landmarks);
   if (!fault.empty()) throw FileFailure(name + ":" + fault);
   return landmarks;
 }

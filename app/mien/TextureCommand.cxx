@@ -16,7 +16,7 @@
 #include "PictureFile.h"
 #include "PipelineErrors.h"
 #include "ProgressLine.h"
-#include "TextFile.h"
+#include "TextFileReader.h"
 #include "WarpMeshData.h"
 #include "WarpMeshText.h"
 #include "vtkBoundaryCurveReader.h"
@@ -57,10 +57,12 @@ void check(const Options& options) {
     if (!file.empty()) requireEnding(file, {"csv"});
 }
 
+constexpr std::size_t largestText = 10'000'000;  // bytes of a warp mesh or of landmarks
+
 std::string readText(const std::string& file, const std::string& what) {
   std::string text;
-  const std::string fault = readSmallTextFile(file, what, text);
-  if (!fault.empty()) throw FileFailure(fault);
+  const std::string fault = readTextFile(file, largestText, text, what);
+  if (!fault.empty()) throw FileFailure(file + ":" + fault);
   return text;
 }
 

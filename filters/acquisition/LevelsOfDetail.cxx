@@ -34,12 +34,6 @@ struct Way {
   double rms = 0.0, maximum = 0.0;
 };
 
-std::string textOf(double number) {
-  std::string text;
-  appendNumber(text, number);
-  return text;
-}
-
 Way distancesOf(const SurfaceSamples& samples, const SurfaceDistance& distance) {
   std::vector<double> distances(samples.points.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(distances.size()), [&](vtkIdType begin, vtkIdType end) {
@@ -146,7 +140,7 @@ class Comparison {
 
   std::string describeEmptiness() const {
     return scanFront_.points.empty()
-               ? "the scan has no skin before z = " + textOf(options_.frontalThreshold) +
+               ? "the scan has no skin before z = " + numberText(options_.frontalThreshold) +
                      " mm between the first and the last curve; are scan and curves of one head, in mm?"
                : std::string();
   }
@@ -207,8 +201,8 @@ class Comparison {
     CompactFace compact;
     fault_ = encodeCompactFace(face_, "", tolerance, bytes);
     if (fault_.empty()) fault_ = decodeCompactFace(bytes, compact);
-    return fault_.empty() && addFace("compact face", textOf(tolerance) + " mm", static_cast<long long>(bytes.size()),
-                                     compact.face.curves);
+    return fault_.empty() && addFace("compact face", numberText(tolerance) + " mm",
+                                     static_cast<long long>(bytes.size()), compact.face.curves);
   }
 
   /// Bytes of the faces, largest first; those that hardly differ once.
@@ -301,7 +295,7 @@ class Comparison {
 std::string describeFault(const DetailOptions& options) {
   if (options.tolerances.empty()) return "there is no tolerance; give at least one, such as 0.1 mm";
   if (!(options.spacing >= 0.1 && options.spacing <= 20.0))
-    return "a spacing of " + textOf(options.spacing) + " mm is not allowed; give 0.1 to 20 mm";
+    return "a spacing of " + numberText(options.spacing) + " mm is not allowed; give 0.1 to 20 mm";
   return {};
 }
 

@@ -1,7 +1,6 @@
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "BoundaryCurveData.h"
@@ -10,6 +9,7 @@
 #include "ReferenceFace.h"
 #include "ScanAcquisition.h"
 #include "ScanDecimation.h"
+#include "TextFileReader.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -24,17 +24,12 @@ namespace {
 
 constexpr int maximumPointsPerCurve = 4096;
 constexpr int fewestTriangles = 1000;
-constexpr std::streamsize largestLandmarkFile = 1 << 20;  // bytes
+constexpr std::size_t largestLandmarkFile = 1 << 20;  // bytes
 
 std::string readLandmarkFile(const std::string& name, mien::LandmarkTable& table) {
-  std::ifstream file(name, std::ios::binary);
-  std::string text(largestLandmarkFile + 1, '\0');
-  file.read(text.data(), largestLandmarkFile + 1);
-  if (file.gcount() == 0) return name + ": there is no such file or it is empty; give a CSV file with landmarks";
-  if (file.gcount() > largestLandmarkFile)
-    return name + ": the file is larger than 1 MiB; give a CSV file with at most 68 landmarks";
-  text.resize(static_cast<size_t>(file.gcount()));
-  const std::string fault = mien::parseLandmarks(text, table);
+  std::string text;
+  std::string fault = mien::readTextFile(name, largestLandmarkFile, text, "CSV file with landmarks");
+  if (fault.empty()) fault = mien::parseLandmarks(text, table);
   return fault.empty() ? fault : name + ":" + fault;
 }
 

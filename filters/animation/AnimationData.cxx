@@ -1,6 +1,5 @@
 #include "AnimationData.h"
 
-#include <fstream>
 #include <map>
 #include <numeric>
 #include <string>
@@ -10,6 +9,7 @@
 #include "ExpressionsFile.h"
 #include "FaceLayout.h"
 #include "FacialActionsFile.h"
+#include "TextFileReader.h"
 #include "VisemesFile.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -29,13 +29,8 @@ constexpr size_t largestFile = 4 << 20;  // bytes
 
 /// Reads the text of `what` ("animation table"). @return nothing, or what is wrong with the file
 std::string readText(const std::string& fileName, const std::string& what, std::string& text) {
-  std::ifstream file(fileName, std::ios::binary);
-  text.assign(largestFile + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad() || (file.gcount() == 0 && !file.eof()))
-    return fileName + ": the " + what + " cannot be read; give a JSON file";
-  text.resize(file.gcount());
-  return text.size() > largestFile ? fileName + ": the file is larger than 4 MiB, and no " + what : "";
+  const std::string fault = readTextFile(fileName, largestFile, text, "JSON file with the " + what);
+  return fault.empty() ? fault : fileName + ":" + fault;
 }
 
 /// A fault with the file and, if it is known, the line.

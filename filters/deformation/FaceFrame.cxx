@@ -1,14 +1,18 @@
 #include "FaceFrame.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "BoundaryCurveData.h"
 #include "DefaultRegions.h"
+#include "FaceLandmarks.h"
 #include "GridFaceSides.h"
-#include "LandmarkTable.h"
 #include "MeshEdgeData.h"
+#include "MeshLandmarks.h"
 #include "NumberText.h"
 #include "TextFileReader.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
@@ -20,40 +24,50 @@ namespace mien {
 
 namespace {
 
-constexpr std::size_t largestText = 5'000'000;  // landmark files and region maps have a few kB
+constexpr std::size_t largestText = 5'000'000;  // region maps have a few kB
+constexpr std::size_t pointsBetweenReports = 65536;
 
 vtkDataArray* pointArray(vtkPointSet* data, const char* name, int components) {
   vtkDataArray* array = data->GetPointData()->GetArray(name);
   return array && array->GetNumberOfComponents() == components ? array : nullptr;
 }
 
-vtkStringArray* markerNames(vtkPointSet* data) {
-  return vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray("marker"));
-}
+constexpr double warnedPose = 10.0, refusedPose = 45.0;  // degrees away from +z
+const char* const stopped = "stopped before the face was read";
 
-/// The numbers of the 68 landmarks' vertices. @return nothing, or what is wrong
-std::string placeLandmarks(const std::string& file, const MeshVertices& vertices, LandmarkVertices& landmarks) {
-  std::string text;
-  LandmarkTable table;
-  std::string fault = readTextFile(file, largestText, text);
-  if (fault.empty()) fault = parseLandmarks(text, table);
-  if (!fault.empty()) return file + ":" + fault;
-  for (int i = 0; i < FaceLandmarks::count; ++i) {
-    Eigen::Index vertex = table.hasVertices ? table.vertices[i] : 0;
-    if (!table.hasVertices)
-      (vertices.rowwise() - table.positions.points.row(i)).rowwise().squaredNorm().minCoeff(&vertex);
-    if (vertex < 0 || vertex >= vertices.rows())
-      return file + ": landmark " + std::to_string(i) + " is vertex " + std::to_string(vertex) + ", but the mesh has " +
-             std::to_string(vertices.rows()) + "; give the landmarks of this mesh";
-    landmarks[i] = static_cast<int>(vertex);
+/// What is read of a face, landmarks of a mesh at most once.
+struct Reading {
+  vtkPointSet* data;
+  const FaceFrameOptions& options;
+  FaceFrame& frame;
+  std::optional<MeshLandmarks> mesh;
+
+  std::string readLandmarks() {
+    if (mesh) return {};
+    mesh.emplace();
+    return mesh->read(data, options.landmarkFile);
   }
-  return {};
-}
 
-MeshVertices verticesOf(vtkPointSet* data) {
-  MeshVertices vertices(data->GetNumberOfPoints(), 3);
-  for (Eigen::Index i = 0; i < vertices.rows(); ++i) data->GetPoint(i, vertices.row(i).data());
-  return vertices;
+  /// Whether landmarks say more of the points than the data themselves do.
+  bool wantsLandmarks() const {
+    return !options.landmarkFile.empty() && !markerNames(data) &&
+           !(vtkStructuredGrid::SafeDownCast(data) && data->GetCellData()->HasArray("PatchId"));
+  }
+};
+
+/// Arrays that files may bring along with another number of values than there are points.
+std::string describeArrays(vtkPointSet* data) {
+  for (const char* name : {"marker", "Normals", "LipSide", "LidSide", "region"}) {
+    vtkAbstractArray* array = data->GetPointData()->GetAbstractArray(name);
+    if (array && array->GetNumberOfTuples() != data->GetNumberOfPoints())
+      return std::string("the point array ") + name + " has " + std::to_string(array->GetNumberOfTuples()) +
+             " values for " + std::to_string(data->GetNumberOfPoints()) + " points; repair or remove it";
+  }
+  vtkStringArray* names = markerNames(data);
+  return names && names->GetNumberOfComponents() != 1
+             ? "the point array marker has " + std::to_string(names->GetNumberOfComponents()) +
+                   " components; give one name for each point"
+             : "";
 }
 
 bool findByName(vtkPointSet* data, const FaceFrameOptions& options, EyePupils& pupils) {
@@ -74,47 +88,34 @@ bool findInField(vtkPointSet* data, EyePupils& pupils) {
   return true;
 }
 
-std::string findByLandmarks(vtkPointSet* data, const std::string& file, EyePupils& pupils) {
-  const MeshVertices vertices = verticesOf(data);
-  LandmarkVertices landmarks;
-  MeshEdges edges;
-  std::string fault = placeLandmarks(file, vertices, landmarks);
-  if (fault.empty()) fault = readEdges(data, edges);
-  if (fault.empty()) pupils = eyePupils(vertices, edges, landmarks);
-  return fault;
-}
-
-std::string findPupils(vtkPointSet* data, const FaceFrameOptions& options, EyePupils& pupils) {
+std::string findPupils(Reading& reading, EyePupils& pupils) {
+  const FaceFrameOptions& options = reading.options;
   pupils = {options.leftPupil, options.rightPupil};
-  if (options.leftPupil != options.rightPupil || findByName(data, options, pupils) || findInField(data, pupils))
+  if (options.leftPupil != options.rightPupil || findByName(reading.data, options, pupils) ||
+      findInField(reading.data, pupils))
     return {};
-  if (!options.landmarkFile.empty()) return findByLandmarks(data, options.landmarkFile, pupils);
-  return "there are no pupils; set both, name two points " + options.leftPupilName + " and " + options.rightPupilName +
-         " in the point array marker, add the field array Pupils (2 x 3), or give the 68 landmarks";
+  if (options.landmarkFile.empty())
+    return "there are no pupils; set both, name two points " + options.leftPupilName + " and " +
+           options.rightPupilName +
+           " in the point array marker, add the field array Pupils (2 x 3), or give the 68 landmarks";
+  const std::string fault = reading.readLandmarks();
+  if (fault.empty()) pupils = reading.mesh->pupils;
+  return fault;
 }
 
 Eigen::Vector3d unturned(const HeadRotation& turned, const Eigen::Vector3d& point) {
   return turned.rotation.transpose() * (point - turned.centre) + turned.centre;
 }
 
-std::string readPoints(vtkPointSet* data, FaceFrame& frame) {
-  vtkDataArray* normals = pointArray(data, "Normals", 3);
-  std::vector<Eigen::Vector3d> computed;
-  if (!normals) computed = polygonNormals(data);
-  frame.isMesh = normals || !computed.empty();
+std::string readPoints(vtkPointSet* data, FaceFrame& frame, const Progress& progress) {
+  frame.isMesh = hasPolygons(data);
   frame.points.resize(data->GetNumberOfPoints());
   for (std::size_t i = 0; i < frame.points.size(); ++i) {
-    DeformationPoint& point = frame.points[i];
-    Eigen::Vector3d place, normal = Eigen::Vector3d::UnitZ();
+    if (i % pointsBetweenReports == 0 && !goesOn(progress, double(i) / frame.points.size())) return stopped;
+    Eigen::Vector3d place;
     data->GetPoint(i, place.data());
-    if (normals)
-      normals->GetTuple(i, normal.data());
-    else if (!computed.empty())
-      normal = computed[i];
-    if (!place.allFinite() || !normal.allFinite())
-      return "point " + std::to_string(i) + " has a position or normal that is not finite; repair the mesh";
-    point.position = unturned(frame.turned, place);
-    point.normalZ = (frame.turned.rotation.transpose() * normal).z();
+    if (!place.allFinite()) return "point " + std::to_string(i) + " has a position that is not finite; repair the mesh";
+    frame.points[i].position = unturned(frame.turned, place);
   }
   return {};
 }
@@ -135,31 +136,46 @@ bool readSideArrays(vtkPointSet* data, FaceFrame& frame, std::string& fault) {
 /// Sides by the names of points. @return whether there are names
 bool readMarkerSides(vtkPointSet* data, FaceFrame& frame) {
   vtkStringArray* names = markerNames(data);
-  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i) {
-    const std::string& name = names->GetValue(i);
-    const auto number =
-        name.rfind("landmark", 0) == 0 ? parseWholeNumber(std::string_view(name).substr(8)) : std::nullopt;
-    if (number && *number >= 0 && *number < 68) frame.points[i].side = landmarkSide(static_cast<int>(*number));
-  }
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+    frame.points[i].side = landmarkSide(landmarkNumber(names->GetValue(i)));
   return names;
 }
 
-std::string readSides(vtkPointSet* data, const FaceFrameOptions& options, const FacialRegions& regions,
-                      FaceFrame& frame) {
+std::string readSides(Reading& reading, const FacialRegions& regions, const Progress& progress) {
+  FaceFrame& frame = reading.frame;
   std::string fault;
-  if (readSideArrays(data, frame, fault) || readMarkerSides(data, frame)) return fault;
+  if (readSideArrays(reading.data, frame, fault) || readMarkerSides(reading.data, frame)) return fault;
   std::vector<FaceSide> sides;
-  if (auto* grid = vtkStructuredGrid::SafeDownCast(data)) sides = gridFaceSides(grid, regions, frame);
-  if (sides.empty() && !options.landmarkFile.empty()) {
-    MeshEdges edges;
-    LandmarkVertices landmarks;
-    const MeshVertices vertices = verticesOf(data);
-    fault = placeLandmarks(options.landmarkFile, vertices, landmarks);
-    if (fault.empty()) fault = readEdges(data, edges);
-    if (fault.empty()) sides = faceSides(vertices, edges, landmarks, regions, frame.pupils.unit());
+  if (auto* grid = vtkStructuredGrid::SafeDownCast(reading.data)) sides = gridFaceSides(grid, regions, frame);
+  if (sides.empty() && !reading.options.landmarkFile.empty()) {
+    fault = reading.readLandmarks();
+    if (fault.empty())
+      sides = faceSides(reading.mesh->vertices, reading.mesh->edges, reading.mesh->numbers, regions,
+                        frame.pupils.unit(), progress);
   }
   for (std::size_t i = 0; i < sides.size(); ++i) frame.points[i].side = sides[i];
   return fault;
+}
+
+/// Holds the eyeballs, and warns of a face that looks aside.
+std::string readEyesAndPose(Reading& reading) {
+  if (!reading.wantsLandmarks()) return {};
+  const std::string fault = reading.readLandmarks();
+  if (!fault.empty()) return fault;
+  FaceLandmarks landmarks;
+  for (int i = 0; i < FaceLandmarks::count; ++i)
+    landmarks.points.row(i) = reading.frame.points[reading.mesh->numbers[i]].position.transpose();
+  for (std::size_t i = 0; i < reading.frame.points.size(); ++i) reading.frame.points[i].stays = reading.mesh->inEyes[i];
+  const FacePose pose = facePose(landmarks);
+  const double yaw = pose.yaw * 180.0 / M_PI, pitch = pose.pitch * 180.0 / M_PI;
+  const std::string text = "the face looks " + roundedText(std::round(std::abs(yaw))) + " degrees to the side and " +
+                           roundedText(std::round(std::abs(pitch))) + (pitch > 0.0 ? " down" : " up") +
+                           " by its landmarks; tables are for faces that look along +z: turn it there, or say how it "
+                           "is turned with the field array HeadRotation";
+  const double largest = std::max(std::abs(yaw), std::abs(pitch));
+  if (!(largest <= refusedPose)) return text;
+  if (largest > warnedPose) reading.frame.warning = text;
+  return {};
 }
 
 std::string readGivenRegions(vtkPointSet* data, FaceFrame& frame) {
@@ -173,21 +189,36 @@ std::string readGivenRegions(vtkPointSet* data, FaceFrame& frame) {
   return {};
 }
 
-}  // namespace
-
-std::string readPupils(vtkPointSet* data, const FaceFrameOptions& options, FaceFrame& frame) {
-  std::string fault = readHeadRotation(data->GetFieldData(), frame.turned);
-  if (fault.empty()) fault = findPupils(data, options, frame.places);
+std::string readPupils(Reading& reading) {
+  FaceFrame& frame = reading.frame;
+  std::string fault = describeArrays(reading.data);
+  if (fault.empty()) fault = readHeadRotation(reading.data->GetFieldData(), frame.turned);
+  if (fault.empty()) fault = findPupils(reading, frame.places);
   return fault.empty()
              ? frame.pupils.set(unturned(frame.turned, frame.places.left), unturned(frame.turned, frame.places.right))
              : fault;
 }
 
+}  // namespace
+
+vtkStringArray* markerNames(vtkPointSet* data) {
+  return vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray("marker"));
+}
+
+std::string readPupils(vtkPointSet* data, const FaceFrameOptions& options, FaceFrame& frame) {
+  Reading reading{data, options, frame, {}};
+  return readPupils(reading);
+}
+
 std::string readFaceFrame(vtkPointSet* data, const FaceFrameOptions& options, const FacialRegions& regions,
-                          FaceFrame& frame) {
-  std::string fault = readPupils(data, options, frame);
-  if (fault.empty()) fault = readPoints(data, frame);
-  if (fault.empty()) fault = readSides(data, options, regions, frame);
+                          FaceFrame& frame, const Progress& progress) {
+  Reading reading{data, options, frame, {}};
+  if (!goesOn(progress, 0.0)) return stopped;
+  std::string fault = readPupils(reading);
+  if (fault.empty()) fault = readPoints(data, frame, partOf(progress, 0.2, 0.5));
+  if (fault.empty()) fault = readSides(reading, regions, partOf(progress, 0.5, 0.9));
+  if (fault.empty()) fault = readEyesAndPose(reading);
+  if (fault.empty() && !goesOn(progress, 1.0)) fault = stopped;
   return fault.empty() ? readGivenRegions(data, frame) : fault;
 }
 

@@ -6,10 +6,12 @@
 #include "EyePupils.h"
 #include "HeadRotation.h"
 #include "MienDeformationModule.h"
+#include "Progress.h"
 #include "PupilNormalisation.h"
 #include "TableDeformation.h"
 
 class vtkPointSet;
+class vtkStringArray;
 
 namespace mien {
 
@@ -27,7 +29,8 @@ struct FaceFrame {
   PupilNormalisation pupils;
   EyePupils places;     ///< the pupils, in the data's own unit and frame
   HeadRotation turned;  ///< of field array `HeadRotation`; pupils and points below are in the head's own frame
-  bool isMesh = false;  ///< whether there are polygons: only the skin in front belongs to the face then
+  bool isMesh = false;  ///< whether there are polygons: only what is in front belongs to the face then
+  std::string warning;  ///< one sentence that says what will not come out right, or nothing
   std::vector<DeformationPoint> points;
 };
 
@@ -36,12 +39,18 @@ struct FaceFrame {
 /// @return nothing, or one sentence that says what is missing or wrong
 MIENDEFORMATION_EXPORT std::string readPupils(vtkPointSet* data, const FaceFrameOptions& options, FaceFrame& frame);
 
-/// readPupils(), and for every point its place in the head's frame, normal (`Normals`, else of the polygons around it)
-/// and sides: point arrays `LipSide` and `LidSide`, else by u on a PDE face (a structured grid with `PatchId`), by
-/// distance along the surface on a mesh with landmarks, or by the number of points named landmarkNN in the point array
-/// `marker`. Regions are those of the point array `region` (1 .. 16, 0: by place).
+/// readPupils(), and for every point its place in the head's frame and its sides: point arrays `LipSide` and `LidSide`,
+/// else by u on a PDE face (a structured grid with `PatchId`), by distance along the surface on a mesh with landmarks,
+/// or by the number of points named landmarkNN in the point array `marker`. Regions are those of the point array
+/// `region` (1 .. 16, 0: by place). Eyeballs of a mesh with landmarks stay where they are. A mesh whose landmarks look
+/// more than 10 degrees away from +z gets a warning, more than 45 is refused. When `progress` says stop, what is
+/// returned is a sentence too.
 MIENDEFORMATION_EXPORT std::string readFaceFrame(vtkPointSet* data, const FaceFrameOptions& options,
-                                                 const FacialRegions& regions, FaceFrame& frame);
+                                                 const FacialRegions& regions, FaceFrame& frame,
+                                                 const Progress& progress = {});
+
+/// The point array `marker`, which names the points; nothing without it.
+MIENDEFORMATION_EXPORT vtkStringArray* markerNames(vtkPointSet* data);
 
 /// A region map from a file; the compiled in one without a name. @return nothing, or `FILE: what is wrong`
 MIENDEFORMATION_EXPORT std::string readRegions(const std::string& file, FacialRegions& regions);

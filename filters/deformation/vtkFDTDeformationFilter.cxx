@@ -29,24 +29,10 @@ bool sameFrame(const mien::FaceFrameOptions& a, const mien::FaceFrameOptions& b)
          a.rightPupilName == b.rightPupilName && a.landmarkFile == b.landmarkFile;
 }
 
-/// Turns the input's normals by as much as those of the polygons around each point turn.
-void turnNormals(vtkPointSet* from, vtkPointSet* to) {
-  vtkDataArray* normals = from->GetPointData()->GetArray("Normals");
-  if (!normals || normals->GetNumberOfComponents() != 3) return;
-  const std::vector<Eigen::Vector3d> before = mien::polygonNormals(from), after = mien::polygonNormals(to);
-  to->GetPointData()->RemoveArray("Normals");
-  if (before.empty() || after.empty()) return;
-  vtkSmartPointer<vtkDataArray> turned;
-  turned.TakeReference(normals->NewInstance());
-  turned->DeepCopy(normals);
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    Eigen::Vector3d normal;
-    normals->GetTuple(i, normal.data());
-    // Polygons may be wound inwards, as those of the PDE face are.
-    const double sign = before[i].dot(normal) < 0.0 ? -1.0 : 1.0;
-    turned->SetTuple(i, (normal + sign * (after[i] - before[i])).stableNormalized().eval().data());
-  }
-  to->GetPointData()->SetNormals(turned);
+/// What a surface says of itself that the moved points make untrue.
+void dropDerivatives(vtkPointSet* data) {
+  for (const char* name : {"Su", "Sv", "MeanCurvature", "GaussianCurvature", "MaximumCurvature", "MinimumCurvature"})
+    data->GetPointData()->RemoveArray(name);
 }
 
 }  // namespace
@@ -56,10 +42,13 @@ struct vtkFDTDeformationFilter::Internals {
   mien::FaceFrameOptions options;
   std::string regionFile;
   std::optional<mien::TableDeformation> weights;
+  mien::MeshPolygons polygons;
+  std::vector<Eigen::Vector3d> before;  ///< normals of the polygons, where the input has normals to be turned
   Eigen::Matrix3d toSpace;
   vtkPointSet* input = nullptr;
   vtkMTimeType inputTime = 0;
   bool smooth = false;
+  std::string warning;
 
   bool holdsFor(vtkPointSet* data, const mien::FaceFrameOptions& now, const std::string& file, bool blend) const {
     return weights && data == input && data->GetMTime() == inputTime && sameFrame(now, options) && file == regionFile &&
@@ -67,14 +56,22 @@ struct vtkFDTDeformationFilter::Internals {
   }
 
   /// Computes the weights unless those of before still hold. @return nothing, or what is wrong
-  std::string prepare(vtkPointSet* data, const mien::FaceFrameOptions& now, const std::string& file, bool blend) {
+  std::string prepare(vtkPointSet* data, const mien::FaceFrameOptions& now, const std::string& file, bool blend,
+                      const mien::Progress& progress) {
     if (holdsFor(data, now, file, blend)) return {};
     weights.reset();
     mien::FaceFrame frame;
     std::string fault = mien::readRegions(file, regions);
-    if (fault.empty()) fault = mien::readFaceFrame(data, now, regions, frame);
+    if (fault.empty()) fault = mien::readFaceFrame(data, now, regions, frame, mien::partOf(progress, 0.0, 0.6));
+    if (fault.empty()) readPolygons(data);
+    if (fault.empty() && !mien::goesOn(progress, 0.7)) fault = "stopped before the weights were known";
     if (!fault.empty()) return fault;
-    weights.emplace(frame.points, frame.pupils, regions, blend);
+    warning = frame.warning;
+    weights.emplace(frame.points, frame.pupils, regions, blend, mien::partOf(progress, 0.7, 1.0));
+    if (weights->size() < frame.points.size()) {
+      weights.reset();
+      return "stopped before the weights were known";
+    }
     toSpace = frame.turned.rotation;
     input = data;
     inputTime = data->GetMTime();
@@ -82,6 +79,34 @@ struct vtkFDTDeformationFilter::Internals {
     regionFile = file;
     smooth = blend;
     return {};
+  }
+
+  void readPolygons(vtkPointSet* data) {
+    polygons = normalsOf(data) ? mien::MeshPolygons(data) : mien::MeshPolygons();
+    before = polygons.normals(data->GetPoints());
+  }
+
+  static vtkDataArray* normalsOf(vtkPointSet* data) {
+    vtkDataArray* normals = data->GetPointData()->GetArray("Normals");
+    return normals && normals->GetNumberOfComponents() == 3 ? normals : nullptr;
+  }
+
+  /// Turns the input's normals by as much as those of the polygons around each point turn; without polygons they stay.
+  void turnNormals(vtkPointSet* from, vtkPointSet* to) const {
+    vtkDataArray* normals = normalsOf(from);
+    if (!normals || polygons.empty()) return;
+    const std::vector<Eigen::Vector3d> after = polygons.normals(to->GetPoints());
+    vtkSmartPointer<vtkDataArray> turned;
+    turned.TakeReference(normals->NewInstance());
+    turned->DeepCopy(normals);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      Eigen::Vector3d normal;
+      normals->GetTuple(i, normal.data());
+      // Polygons may be wound inwards, as those of the PDE face are.
+      const double sign = before[i].dot(normal) < 0.0 ? -1.0 : 1.0;
+      turned->SetTuple(i, (normal + sign * (after[i] - before[i])).stableNormalized().eval().data());
+    }
+    to->GetPointData()->SetNormals(turned);
   }
 
   /// False when aborted.
@@ -131,12 +156,15 @@ int vtkFDTDeformationFilter::RequestData(vtkInformation*, vtkInformationVector**
   if (fault == "second ") fault.clear();
   if (fault.empty() && !std::isfinite(this->Strength)) fault = "the strength is not finite; give 0 to 1.5";
   if (fault.empty() && input->GetNumberOfPoints() > 0)
-    fault = this->Impl->prepare(input, this->GetFrameOptions(), this->GetRegionFileName(), this->Smooth);
+    fault = this->Impl->prepare(input, this->GetFrameOptions(), this->GetRegionFileName(), this->Smooth,
+                                this->ReportProgress(0.0, 0.5));
+  if (this->GetAbortExecute()) return 1;
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
   if (input->GetNumberOfPoints() == 0) return 1;
+  if (!this->Impl->warning.empty()) vtkWarningMacro(<< this->Impl->warning);
   if (second) table = table.blended(other, this->Interpolation);
   vtkNew<vtkDoubleArray> displacement;
   displacement->SetName("Displacement");
@@ -149,7 +177,8 @@ int vtkFDTDeformationFilter::RequestData(vtkInformation*, vtkInformationVector**
   output->ShallowCopy(input);
   output->SetPoints(points);
   output->GetPointData()->AddArray(displacement);
-  turnNormals(input, output);
+  this->Impl->turnNormals(input, output);
+  dropDerivatives(output);
   KeepWantedPart(outputs->GetInformationObject(0));
   return 1;
 }

@@ -6,12 +6,16 @@
  * lips and lids and coverage are those of vtkFacialRegionFilter. Port 1 the table, 16 rows, columns `region`, `a1` ..
  * `b6` (FDTData.h); port 2, optional, a second table to interpolate to. Output: a copy of the input with moved points
  * (of the input's precision) and the point array `Displacement` (3 components, the input's unit). `Normals` of the
- * input turn as the polygons around each point do.
+ * input turn as the polygons around each point do, and stay where there are no polygons; derivatives and curvatures of
+ * a surface (`Su`, `Sv`, `MeanCurvature` ..) are left out, as the moved points make them untrue. Eyeballs that
+ * landmarks tell (EyePupils.h) stay where they are.
  *
  * Equation: x' = a1 x^2 + a2 xy + a3 y^2 + a4 x + a5 y + a6 and y' alike per region, in pupil units [Obaid et al. 2009,
  * eq. 1]; blending and limits are described in TableDeformation.h. z is carried along unchanged in the head's frame.
  * The weights are kept while the input and the settings that decide them stay: tables, strength and interpolation may
- * change at no cost. Errors: those of vtkPupilAlgorithm, a table that is none, points or arrays that are not finite.
+ * change at the cost of moving the points and, where there are `Normals`, of turning these. Tables are for faces that
+ * look along +z: by its landmarks a face may look 10 degrees aside (doc/decisions.md), gets a warning beyond and is
+ * refused beyond 45. Errors: those of vtkPupilAlgorithm, a table that is none, points or arrays that are not finite.
  * @sa vtkFDTReader vtkFDTFitFilter vtkFacialRegionFilter
  */
 #ifndef vtkFDTDeformationFilter_h

@@ -20,12 +20,11 @@ namespace {
 /// Which points take part: neither the pupils nor, on a mesh, what is not wholly on the face.
 std::vector<vtkIdType> chosenPoints(vtkPointSet* data, const mien::FaceFrame& frame,
                                     const mien::FaceFrameOptions& options, const mien::FacialRegions& regions) {
-  auto* names = vtkStringArray::SafeDownCast(data->GetPointData()->GetAbstractArray("marker"));
+  vtkStringArray* names = mien::markerNames(data);
   std::vector<vtkIdType> chosen;
   for (std::size_t i = 0; i < frame.points.size(); ++i) {
     const Eigen::Vector3d place = frame.pupils.apply(frame.points[i].position);
-    const bool face = !frame.isMesh || (regions.outlineWeight(place.head<2>()) == 1.0 &&
-                                        regions.facingWeight(place.z(), frame.points[i].normalZ) == 1.0);
+    const bool face = !frame.isMesh || mien::coverageOf(regions, place, frame.points[i]) == 1.0;
     const bool pupil =
         names && (names->GetValue(i) == options.leftPupilName || names->GetValue(i) == options.rightPupilName);
     if (face && !pupil) chosen.push_back(static_cast<vtkIdType>(i));
@@ -45,6 +44,10 @@ mien::TableSamples samplesOf(const mien::FaceFrame& before, const mien::FaceFram
     samples.regions.push_back(point.region ? point.region : regions.nearest(samples.before.row(row), point.side));
   }
   return samples;
+}
+
+std::string ofState(const char* state, const std::string& text) {
+  return text.empty() ? text : state + (": " + text);
 }
 
 void addColumn(vtkTable* table, const char* name, const mien::TableFit& fit,
@@ -94,18 +97,20 @@ int vtkFDTFitFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
     fault = "the neutral face has " + std::to_string(neutral->GetNumberOfPoints()) + " points and the expression " +
             std::to_string(expression->GetNumberOfPoints()) + "; give the same points before and after";
   if (fault.empty() && neutral->GetNumberOfPoints() == 0) fault = "there are no points; give a face before and after";
-  const auto named = [](const char* state, const std::string& text) {
-    return text.empty() ? text : state + (": " + text);
-  };
-  if (fault.empty()) fault = named("neutral face", mien::readFaceFrame(neutral, options, regions, before));
-  if (fault.empty()) fault = named("expression", mien::readFaceFrame(expression, others, regions, after));
+  if (fault.empty())
+    fault = ofState("neutral face", mien::readFaceFrame(neutral, options, regions, before, ReportProgress(0.0, 0.45)));
+  if (fault.empty())
+    fault = ofState("expression", mien::readFaceFrame(expression, others, regions, after, ReportProgress(0.45, 0.9)));
   if (this->GetAbortExecute()) return 1;
   if (fault.empty())
-    fault = fit.fit(samplesOf(before, after, chosenPoints(neutral, before, options, regions), regions), this->Strict);
+    fault = fit.fit(samplesOf(before, after, chosenPoints(neutral, before, options, regions), regions),
+                    {this->Strict, this->AllowEmptyRegions});
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
+  const std::string aside = ofState("neutral face", before.warning) + ofState("expression", after.warning);
+  if (!aside.empty()) vtkWarningMacro(<< aside);
   this->RMS = fit.rms;
   this->Warning = fit.warning();
   if (!this->Warning.empty()) vtkWarningMacro(<< this->Warning);
@@ -124,5 +129,6 @@ void vtkFDTFitFilter::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "OtherRightPupil: " << this->OtherRightPupil[0] << " " << this->OtherRightPupil[1] << " "
      << this->OtherRightPupil[2] << "\n";
   os << indent << "Strict: " << (this->Strict ? "on" : "off") << "\n";
+  os << indent << "AllowEmptyRegions: " << (this->AllowEmptyRegions ? "on" : "off") << "\n";
   os << indent << "RMS: " << this->RMS << "\n";
 }

@@ -11,7 +11,8 @@
  * Equation: least squares of x' = a1 x^2 + a2 xy + a3 y^2 + a4 x + a5 y + a6, y' alike, per region [Obaid et al. 2009,
  * eq. 1-4; QuadraticFit.h]. Errors: those of vtkPupilAlgorithm; different numbers of points, points that are not
  * finite, regions without points; with Strict regions with fewer than 6 independent points. Without Strict these are a
- * warning that names them, GetWarning() too.
+ * warning that names them, GetWarning() too, and with AllowEmptyRegions so are regions without points, whose map is
+ * the identity: the 68 landmarks have none on the forehead (regions 1 and 2).
  * @sa vtkFDTWriter vtkFDTDeformationFilter
  */
 #ifndef vtkFDTFitFilter_h
@@ -50,10 +51,18 @@ class MIENDEFORMATION_EXPORT vtkFDTFitFilter : public vtkPupilAlgorithm {
   vtkBooleanMacro(Strict, bool);
   ///@}
 
+  ///@{
+  /** Whether regions without points are left as they are, with a warning that names them, where Strict is off; else
+   * they are an error. Default off. */
+  vtkSetMacro(AllowEmptyRegions, bool);
+  vtkGetMacro(AllowEmptyRegions, bool);
+  vtkBooleanMacro(AllowEmptyRegions, bool);
+  ///@}
+
   /// After an update: root mean square of what is left over all points, pupil units.
   vtkGetMacro(RMS, double);
 
-  /// After an update: one sentence that names the sparse regions, or nothing.
+  /// After an update: one sentence that names the empty and the sparse regions, or nothing.
   vtkGetMacro(Warning, std::string);
 
  protected:
@@ -70,6 +79,7 @@ class MIENDEFORMATION_EXPORT vtkFDTFitFilter : public vtkPupilAlgorithm {
   double OtherLeftPupil[3] = {0.0, 0.0, 0.0};
   double OtherRightPupil[3] = {0.0, 0.0, 0.0};
   bool Strict = false;
+  bool AllowEmptyRegions = false;
   double RMS = 0.0;
   std::string Warning;
 };

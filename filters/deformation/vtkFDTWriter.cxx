@@ -1,5 +1,7 @@
 #include "vtkFDTWriter.h"
 
+#include <filesystem>
+#include <system_error>
 #include <vtksys/FStream.hxx>
 
 #include "FDTData.h"
@@ -10,6 +12,28 @@
 #include "vtkTable.h"
 
 vtkStandardNewMacro(vtkFDTWriter);
+
+namespace {
+
+/// Writes under a temporary name beside the file and renames it, so that what was there is replaced whole or not at
+/// all.
+/// @return nothing, or what is wrong
+std::string writeWhole(const std::string& name, const std::string& bytes) {
+  const std::string temporary = name + ".part";
+  std::error_code fault;
+  {
+    vtksys::ofstream file(temporary.c_str(), std::ios::binary);
+    file << bytes << std::flush;
+    if (!file) fault = std::make_error_code(std::errc::io_error);
+  }
+  if (!fault) std::filesystem::rename(temporary, name, fault);
+  if (!fault) return {};
+  std::error_code ignored;
+  std::filesystem::remove(temporary, ignored);
+  return "it cannot be written; give a file in a folder that exists and may be written to";
+}
+
+}  // namespace
 
 vtkFDTWriter::~vtkFDTWriter() {
   this->SetFileName(nullptr);
@@ -23,19 +47,24 @@ int vtkFDTWriter::FillInputPortInformation(int, vtkInformation* info) {
 void vtkFDTWriter::WriteData() {
   mien::DeformationTable table;
   const std::string name = this->FileName ? this->FileName : "";
-  const std::string fault = mien::readFDT(vtkTable::SafeDownCast(this->GetInput()), table);
+  std::string fault = mien::readFDT(vtkTable::SafeDownCast(this->GetInput()), table);
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
+    return;
+  }
+  if (name.empty()) {
+    vtkErrorMacro("there is no file name; set one with SetFileName");
     return;
   }
   if (this->Bits != 0 && this->Bits != 8 && this->Bits != 16) {
     vtkErrorMacro("there are no tables of " << this->Bits << " bits; give 0 (text), 8 or 16");
     return;
   }
-  vtksys::ofstream file(name.c_str(), std::ios::binary);
-  file << (this->Bits == 0 ? mien::writeTable(table, this->Comment) : mien::packTable(table, this->Bits)) << std::flush;
-  if (!file)
-    vtkErrorMacro(<< name << ": it cannot be written; give a file in a folder that exists and may be written to");
+  fault = this->Bits == 0 ? "" : mien::describePacking(table, this->Bits);
+  if (fault.empty())
+    fault =
+        writeWhole(name, this->Bits == 0 ? mien::writeTable(table, this->Comment) : mien::packTable(table, this->Bits));
+  if (!fault.empty()) vtkErrorMacro(<< name << ": " << fault);
 }
 
 void vtkFDTWriter::PrintSelf(ostream& os, vtkIndent indent) {

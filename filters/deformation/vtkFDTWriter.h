@@ -2,8 +2,10 @@
  * @class vtkFDTWriter
  * @brief writes a facial deformation table to a CSV file or a packed one
  *
- * Input: vtkTable of 16 rows, columns as described in FDTData.h. What is written is read back without a difference.
- * Errors: a table that is none, a file that cannot be written.
+ * Input: vtkTable of 16 rows, columns as described in FDTData.h. Text is read back without a difference, packed
+ * tables within packingError() of PackedTable.h and without deviations. A file is written under a temporary name
+ * (`FILE.part`) and renamed. Errors: a table that is none or too large to be packed, no name, a file that cannot be
+ * written.
  * @sa vtkFDTReader
  */
 #ifndef vtkFDTWriter_h

@@ -46,8 +46,7 @@ struct Arrays {
       all[point.region - 1] = 1.0;
     }
     for (int k = 0; k < mien::FacialRegions::count; ++k) weights->SetTypedComponent(i, k, static_cast<float>(all[k]));
-    coverage->SetValue(
-        i, static_cast<float>(regions.outlineWeight(place.head<2>()) * regions.facingWeight(place.z(), point.normalZ)));
+    coverage->SetValue(i, static_cast<float>(mien::coverageOf(regions, place, point)));
     lips->SetValue(i, static_cast<float>(point.side.lips));
     lids->SetValue(i, static_cast<float>(point.side.lids));
   }
@@ -61,11 +60,14 @@ int vtkFacialRegionFilter::RequestData(vtkInformation*, vtkInformationVector** i
   mien::FacialRegions regions;
   mien::FaceFrame frame;
   std::string fault = mien::readRegions(this->GetRegionFileName(), regions);
-  if (fault.empty()) fault = mien::readFaceFrame(input, this->GetFrameOptions(), regions, frame);
+  if (fault.empty())
+    fault = mien::readFaceFrame(input, this->GetFrameOptions(), regions, frame, this->ReportProgress(0.0, 0.5));
+  if (this->GetAbortExecute()) return 1;
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;
   }
+  if (!frame.warning.empty()) vtkWarningMacro(<< frame.warning);
   const vtkIdType count = input->GetNumberOfPoints();
   Arrays arrays(count);
   for (vtkIdType slab = 0; slab < count; slab += pointsPerSlab) {
@@ -74,7 +76,7 @@ int vtkFacialRegionFilter::RequestData(vtkInformation*, vtkInformationVector** i
     vtkSMPTools::For(slab, slabEnd, pointsPerTask, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i) arrays.fill(i, frame, regions);
     });
-    this->UpdateProgress(double(slabEnd) / count);
+    this->UpdateProgress(0.5 + 0.5 * slabEnd / count);
   }
   if (this->GetAbortExecute()) return 1;
   output->ShallowCopy(input);

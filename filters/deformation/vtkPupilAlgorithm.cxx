@@ -25,6 +25,13 @@ mien::FaceFrameOptions vtkPupilAlgorithm::GetFrameOptions() const {
   return options;
 }
 
+std::function<bool(double)> vtkPupilAlgorithm::ReportProgress(double from, double to) {
+  return [this, from, to](double done) {
+    this->UpdateProgress(from + (to - from) * done);
+    return !this->GetAbortExecute();
+  };
+}
+
 void vtkPupilAlgorithm::KeepWantedPart(vtkInformation* info) {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkPointSet* data = vtkPointSet::GetData(info);

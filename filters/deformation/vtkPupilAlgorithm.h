@@ -14,6 +14,7 @@
 #ifndef vtkPupilAlgorithm_h
 #define vtkPupilAlgorithm_h
 
+#include <functional>
 #include <string>
 
 #include "MienDeformationModule.h"
@@ -64,6 +65,9 @@ class MIENDEFORMATION_EXPORT vtkPupilAlgorithm : public vtkPointSetAlgorithm {
   int ComputeInputUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   mien::FaceFrameOptions GetFrameOptions() const;
+
+  /// Reports the part `from` .. `to` of an update's progress, and stops when the update is aborted.
+  std::function<bool(double)> ReportProgress(double from, double to);
 
   /// Cuts the wanted part out of an output that was made whole.
   static void KeepWantedPart(vtkInformation* info);

@@ -2,6 +2,7 @@
 
 #include <atomic>
 
+#include "BoundaryCurveData.h"
 #include "FaceFrame.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -82,6 +83,19 @@ void turnNormals(vtkPointSet* data, const mien::PupilNormalisation& pupils, Chan
   data->GetPointData()->SetNormals(turned);
 }
 
+/// The turn of the head as it is in the other frame: the same about the same place, seen from there.
+void changeRotation(vtkPointSet* data, const mien::HeadRotation& turned, const mien::PupilNormalisation& pupils,
+                    Change change) {
+  if (!data->GetFieldData()->HasArray("HeadRotation")) return;
+  const Eigen::Vector3d origin = (pupils.*change)(Eigen::Vector3d::Zero());
+  Eigen::Matrix3d axes;
+  for (int k = 0; k < 3; ++k) axes.col(k) = ((pupils.*change)(Eigen::Vector3d::Unit(k)) - origin).normalized();
+  mien::HeadRotation changed;
+  changed.rotation = axes * turned.rotation * axes.transpose();
+  changed.centre = (pupils.*change)(turned.centre);
+  mien::writeHeadRotation(changed, data->GetFieldData());
+}
+
 }  // namespace
 
 int vtkPupilNormalizeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
@@ -103,9 +117,16 @@ int vtkPupilNormalizeFilter::RequestData(vtkInformation*, vtkInformationVector**
     return 0;
   }
   if (this->GetAbortExecute()) return 1;
+  mien::HeadRotation turned;
+  fault = mien::readHeadRotation(input->GetFieldData(), turned);
+  if (!fault.empty()) {
+    vtkErrorMacro(<< fault);
+    return 0;
+  }
   output->ShallowCopy(input);
   output->SetPoints(points);
   turnNormals(output, frame.pupils, change);
+  changeRotation(output, turned, frame.pupils, change);
   output->GetFieldData()->RemoveArray("OriginalPupils");
   if (this->Inverse) {
     writePupils(output, "Pupils", frame.places);

@@ -1,6 +1,6 @@
 #include "vtkWarpMeshReader.h"
 
-#include "TextFile.h"
+#include "TextFileReader.h"
 #include "WarpMeshData.h"
 #include "WarpMeshText.h"
 #include "vtkInformation.h"
@@ -13,11 +13,14 @@ vtkStandardNewMacro(vtkWarpMeshReader);
 
 namespace {
 
+// The largest warp mesh has 65,536 points and about 4 MB; a file larger than this is something else.
+constexpr std::size_t largestText = 10'000'000;
+
 std::string readFile(const char* name, mien::WarpMesh& mesh) {
   if (!name) return "there is no file name; set one with SetFileName";
   std::string text;
-  const std::string unread = mien::readSmallTextFile(name, "warp mesh", text);
-  if (!unread.empty()) return unread;
+  const std::string unread = mien::readTextFile(name, largestText, text, "warp mesh");
+  if (!unread.empty()) return name + (":" + unread);
   const std::string fault = mien::parseWarpMesh(text, mesh);
   return fault.empty() ? "" : std::string(name) + ":" + fault;
 }

@@ -80,8 +80,8 @@ TEST(ConvertCommand, StandardInputAndOutputArePipes) {
 
 TEST(ConvertCommand, ARateThatMakesTooManyFramesIsRefused) {
   const TemporaryFolder folder;
-  const Outcome outcome = runMien({"convert", std::string(MIEN_DATA_DIR) + "/animation/demo.fap", "--fps", "100000",
-                                   "-o", folder.file("a.fap")});
+  const Outcome outcome = runMien(
+      {"convert", std::string(MIEN_DATA_DIR) + "/animation/demo.fap", "--fps", "100000", "-o", folder.file("a.fap")});
   EXPECT_EQ(outcome.exitCode, 2);
   EXPECT_NE(outcome.errors.find("a million frames"), std::string::npos) << outcome.errors;
   EXPECT_EQ(entriesIn(folder.file("")), 0);
@@ -126,7 +126,7 @@ TEST(ConvertCommand, TheMapOfOnesOwnIsToldAsAMap) {
   const auto fault = [&](const std::string& map) {
     return convert({folder.file("take.csv"), "--map", folder.file(map), "-o", folder.file("a.fap")}).errors;
   };
-  EXPECT_NE(fault("none.json").find("none.json: the facial action map cannot be read; give a JSON file"),
+  EXPECT_NE(fault("none.json").find("none.json: it cannot be opened; give a JSON file with the facial action map"),
             std::string::npos)
       << fault("none.json");
   EXPECT_NE(fault("bad.json").find("bad.json:2: facial action map: it is no valid JSON"), std::string::npos)

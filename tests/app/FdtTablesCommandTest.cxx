@@ -138,8 +138,12 @@ TEST(FdtPackCommand, KeepsTheBoundItStates) {
     EXPECT_LE(about["generic_face_error_mm"], about["error_bound_mm"].get<double>() + 1e-5);
     EXPECT_LT(about["error_bound_mm"], before) << "more bits, less error";
     before = about["error_bound_mm"].get<double>() / 100.0;
-    const Outcome named = run({"classify", folder.file("p.fdt"), "--json"});
-    EXPECT_EQ(json::parse(named.output)["expression"], "surprise");
+    for (const char* const name : {"anger", "disgust", "fear", "joy", "sadness", "surprise"}) {
+      const json packed = json::parse(run({"pack", name, "--bits", bits, "-o", folder.file("p.fdt"), "--json"}).output);
+      EXPECT_LE(packed["generic_face_error_mm"], packed["error_bound_mm"].get<double>() + 1e-5) << name;
+      const Outcome named = run({"classify", folder.file("p.fdt"), "--json"});
+      EXPECT_EQ(json::parse(named.output)["expression"], name);
+    }
   }
   EXPECT_EQ(run({"pack", "joy", "--bits", "12", "-o", folder.file("q.fdt")}).exitCode, 2);
   EXPECT_EQ(run({"pack", "joy", "-o", folder.file("q.csv")}).exitCode, 2);

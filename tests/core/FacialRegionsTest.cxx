@@ -68,9 +68,10 @@ TEST(FacialRegions, FadesOutsideTheFaceAndBehindIt) {
   EXPECT_EQ(regions.outlineWeight({-2.2, 0.0}), 1.0);
   EXPECT_EQ(regions.outlineWeight({0.0, -6.0}), 0.0);
   EXPECT_EQ(regions.outlineWeight({0.0, 4.0}), 0.0);
-  EXPECT_EQ(regions.facingWeight(0.5, -1.0), 1.0);
-  EXPECT_EQ(regions.facingWeight(-4.0, 0.5), 1.0);
-  EXPECT_EQ(regions.facingWeight(-4.0, -0.9), 0.0);
+  EXPECT_EQ(regions.depthWeight(0.5), 1.0);
+  EXPECT_EQ(regions.depthWeight(-1.4), 1.0);
+  EXPECT_NEAR(regions.depthWeight(-1.7), 0.5, 1e-12);
+  EXPECT_EQ(regions.depthWeight(-2.0), 0.0) << "the ears";
 }
 
 TEST(FacialRegions, MirroredTwiceIsTheTable) {

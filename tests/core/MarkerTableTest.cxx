@@ -34,6 +34,16 @@ TEST(MarkerTable, ReadsColumnsByName) {
   EXPECT_NEAR(table.neutral.unit(), 30.0, 1e-13);
 }
 
+TEST(MarkerTable, LinesWithANumberSignAreComments) {
+  MarkerTable table;
+  ASSERT_EQ(table.parse("\xEF\xBB\xBF# made by hand\n\n" + header + "# pupils\n" + pupils + "chin,0,-60,0,-61\n"), "");
+  ASSERT_EQ(table.markers.size(), 1u);
+  EXPECT_EQ(table.markers[0].line, 7);
+  PointTable points;
+  ASSERT_EQ(points.parse("# one state\nmarker,x,y\nchin,0,-60\n"), "");
+  EXPECT_EQ(points.points[0].line, 3);
+}
+
 TEST(MarkerTable, BlankCellsAreMissingMarkers) {
   MarkerTable table;
   ASSERT_EQ(table.parse(header + pupils + "nose,0,5,,\nchin,0,-60,0,-61\n"), "");
@@ -60,8 +70,8 @@ TEST(MarkerTable, NamesTheLineAtFault) {
   expectFault("", "1: ", "header");
   expectFault("marker,neutral_x\n", "1: ", "header");
   expectFault("marker,neutral_x,neutral_y,neutral_z,expression_x,expression_y\n", "1: ", "neither");
-  expectFault(header + "pupil_left,30,40,31,41\nnose,0,0,0,0\n", "3: ", "pupil_right is missing");
-  expectFault(header + "pupil_left,30,40,31,41\npupil_right,,,,\nnose,0,0,0,0\n", "4: ", "pupil_right is missing");
+  expectFault(header + "pupil_left,30,40,31,41\nnose,0,0,0,0\n", "1: ", "pupil_right is missing");
+  expectFault(header + "pupil_left,30,40,31,41\npupil_right,,,,\nnose,0,0,0,0\n", "3: ", "pupil_right is missing");
   expectFault(header + "pupil_left,30,40,31,41\npupil_right,30,40,1,1\nnose,0,0,0,0\n", "2: ", "coincide");
   expectFault(header + pupils + "nose,0,nan,0,0\n", "4: ", "nose");
   expectFault(header + pupils + "nose,0,inf,0,0\n", "4: ", "finite");

@@ -29,11 +29,11 @@ double largestError(const DeformationTable& a, const DeformationTable& b, double
 }  // namespace
 
 TEST(PackedTable, ErrorsStayBelowTheirBound) {
-  for (const char* expression : {"joy", "surprise", "anger"})
+  for (const char* expression : {"anger", "disgust", "fear", "joy", "sadness", "surprise"})
     for (const int bits : {8, 16}) {
       const DeformationTable table = meanOf(expression);
       const std::string bytes = packTable(table, bits);
-      EXPECT_EQ(bytes.size(), bits == 8 ? 216u : 408u);
+      EXPECT_EQ(bytes.size(), bits == 8 ? 220u : 412u);
       DeformationTable read;
       ASSERT_EQ(unpackTable(bytes, read), "");
       EXPECT_NEAR(read.largestDisplacement, table.largestDisplacement, 1e-7);
@@ -52,6 +52,32 @@ TEST(PackedTable, TheIdentityStaysTheIdentity) {
     EXPECT_LT((map.coefficients - QuadraticMap::identity()).cwiseAbs().maxCoeff(), 1e-15);
 }
 
+TEST(PackedTable, FilesOfVersion1AreStillRead) {
+  std::string bytes = packTable(meanOf("joy"), 16);
+  DeformationTable now, before;
+  ASSERT_EQ(unpackTable(bytes, now), "");
+  bytes.resize(bytes.size() - 4);
+  bytes[4] = 1;
+  ASSERT_EQ(unpackTable(bytes, before), "");
+  for (int i = 0; i < 16; ++i) EXPECT_EQ(before.maps[i].coefficients, now.maps[i].coefficients);
+  bytes[15] = char(0xff);
+  EXPECT_NE(unpackTable(bytes, before).find("step"), std::string::npos);
+}
+
+TEST(PackedTable, WhatNoFileMayHoldIsNotPacked) {
+  DeformationTable table = meanOf("joy");
+  for (const int bits : {8, 16}) {
+    EXPECT_EQ(describePacking(table, bits), "");
+    DeformationTable vast = table, far = table;
+    vast.maps[3].coefficients(0, 0) = 1e12;
+    far.largestDisplacement = 2e6;
+    EXPECT_NE(describePacking(vast, bits).find("coefficients"), std::string::npos);
+    EXPECT_NE(describePacking(far, bits).find("displacement"), std::string::npos);
+    vast.maps[3].coefficients(0, 0) = 1e300;
+    EXPECT_NE(describePacking(vast, bits), "");
+  }
+}
+
 TEST(PackedTable, DamagedBytesAreRefusedAndNothingIsLoaded) {
   const std::string good = packTable(meanOf("joy"), 16);
   DeformationTable table;
@@ -61,11 +87,13 @@ TEST(PackedTable, DamagedBytesAreRefusedAndNothingIsLoaded) {
     return unpackTable(bytes, table);
   };
   EXPECT_NE(fault(0, 'X').find("no packed"), std::string::npos);
-  EXPECT_NE(fault(4, 2).find("version is 2"), std::string::npos);
+  EXPECT_NE(fault(4, 3).find("version is 3"), std::string::npos);
   EXPECT_NE(fault(5, 12).find("12 bits"), std::string::npos);
-  EXPECT_NE(fault(5, 8).find("408 bytes where a table has 216"), std::string::npos);
+  EXPECT_NE(fault(5, 8).find("412 bytes where a table has 220"), std::string::npos);
   EXPECT_NE(fault(7, 1).find("damaged"), std::string::npos);
-  EXPECT_NE(fault(15, char(0xff)).find("step"), std::string::npos);
+  for (std::size_t at = 8; at < good.size(); ++at)
+    ASSERT_NE(fault(at, static_cast<char>(good[at] ^ 0x10)).find("checksum"), std::string::npos) << at;
+  EXPECT_NE(fault(4, 1).find("412 bytes where a table has 408"), std::string::npos) << "version 1 has no checksum";
   EXPECT_NE(unpackTable("", table), "");
   EXPECT_NE(unpackTable("MFDT", table), "");
   EXPECT_NE(unpackTable(good.substr(0, 400), table), "");

@@ -81,10 +81,57 @@ TEST(PointTable, TwoStatesJoinByTheNamesOfTheirMarkers) {
 }
 
 TEST(PointTable, AChinTellsWhichWayIsUp) {
-  EXPECT_EQ(describePosture({{"brow", 2.0}, {"chin", -3.0}}), "");
-  EXPECT_NE(describePosture({{"brow", -2.0}, {"landmark08", 3.0}}).find("--y-down"), std::string::npos);
-  std::vector<std::pair<std::string, double>> many(15, {"m", 1.0});
-  EXPECT_EQ(describePosture(many), "") << "brows alone may lie above the eyes";
-  many.emplace_back("m", 1.0);
-  EXPECT_NE(describePosture(many), "");
+  const auto at = [](const char* name, double height) { return std::pair(name, Eigen::Vector2d(0.0, height)); };
+  EXPECT_EQ(describePosture({at("brow", 2.0), at("chin", -3.0)}, true), "");
+  for (const char* chin : {"landmark08", "landmark8", "chin"})
+    for (const bool whole : {false, true})
+      EXPECT_NE(describePosture({at("brow", -2.0), at(chin, 3.0)}, whole).find("--y-down"), std::string::npos) << chin;
+  MarkerPlaces many(15, at("m", 1.0));
+  EXPECT_EQ(describePosture(many, true), "") << "brows alone may lie above the eyes";
+  many.push_back(at("m", 1.0));
+  EXPECT_NE(describePosture(many, true), "");
+  EXPECT_EQ(describePosture(many, false), "") << "markers of the forehead alone";
+}
+
+TEST(PointTable, LandmarksTellWhichSideIsWhich) {
+  // A picture (y downwards) whose pupils are named as the viewer sees them: turned round by its pupils, the chin hangs
+  // where it should and left is right.
+  std::string text = "marker,x,y\npupil_left,100,200\npupil_right,160,200\nlandmark08,130,310\n";
+  text += "landmark36,90,200\nlandmark39,110,200\nlandmark42,150,200\nlandmark45,170,200\n";
+  const PointTable picture = pointsOf(text);
+  MarkerTable joined;
+  const std::string fault = joined.join(picture, picture, {}, {"a.csv", "b.csv"});
+  EXPECT_EQ(fault.rfind("a.csv:2: the landmarks of the subject's right side lie beside the left pupil", 0), 0u)
+      << fault;
+  MarkerOptions options;
+  options.leftPupil = "pupil_right";
+  options.rightPupil = "pupil_left";
+  options.yDown = true;
+  PointTable image;
+  ASSERT_EQ(image.parse(text, options), "");
+  EXPECT_EQ(joined.join(image, image, options), "");
+  options.mirrored = true;  // and the pupils exchanged back: two errors that hide each other
+  std::swap(options.leftPupil, options.rightPupil);
+  ASSERT_EQ(image.parse(text, options), "");
+  EXPECT_NE(joined.join(image, image, options).find("right side"), std::string::npos);
+}
+
+TEST(PointTable, FaultsOfTwoFilesNameTheFileAndTheLine) {
+  const std::string good = "marker,x,y\npupil_left,3,0\npupil_right,-3,0\nchin,0,-9\n";
+  const auto fault = [&](const std::string& before, const std::string& after, const MarkerOptions& options = {}) {
+    MarkerTable joined;
+    return joined.join(pointsOf(before), pointsOf(after), options, {"a.csv", "b.csv"});
+  };
+  EXPECT_EQ(fault(good, good), "");
+  const std::string blind = "marker,x,y\nchin,0,-9\npupil_left,,\npupil_right,-3,0\n";
+  EXPECT_EQ(fault(good, blind).rfind("b.csv:3: the pupil pupil_left is missing", 0), 0u) << fault(good, blind);
+  EXPECT_EQ(fault(blind, good).rfind("a.csv:3: the pupil pupil_left is missing", 0), 0u) << fault(blind, good);
+  const std::string none = "marker,x,y\nchin,0,-9\npupil_right,-3,0\n";
+  EXPECT_EQ(fault(good, none).rfind("b.csv:1: the pupil pupil_left is missing", 0), 0u) << fault(good, none);
+  const std::string same = "marker,x,y\nchin,0,-9\npupil_left,3,0\npupil_right,3,0\n";
+  EXPECT_EQ(fault(good, same).rfind("b.csv:3: the pupils coincide", 0), 0u) << fault(good, same);
+  MarkerOptions places;
+  places.neutralPupils = EyePupils{{3.0, 0.0, 0.0}, {3.0, 0.0, 0.0}};
+  EXPECT_EQ(fault(good, good, places).rfind("a.csv: the places given for the pupils", 0), 0u)
+      << fault(good, good, places);
 }

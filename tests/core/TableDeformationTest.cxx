@@ -69,7 +69,7 @@ TEST(TableDeformation, FarFromTheFaceNothingMoves) {
 TEST(TableDeformation, SmoothIsContinuousWhereHardTears) {
   const auto jump = [](bool smooth, double step) {
     std::vector<DeformationPoint> line;
-    for (double y = -110.0; y < 90.0; y += step) line.push_back({{9.0, y, 90.0}, 1.0, {}});
+    for (double y = -110.0; y < 90.0; y += step) line.push_back({{9.0, y, 90.0}, {}});
     const auto result = moves(line, unruly(), smooth);
     double largest = 0.0;
     for (std::size_t i = 1; i < result.size(); ++i) largest = std::max(largest, (result[i] - result[i - 1]).norm());
@@ -84,7 +84,7 @@ TEST(TableDeformation, SmoothEqualsHardInTheInteriors) {
   std::vector<DeformationPoint> centres;
   for (int region = 1; region <= 16; ++region) {
     const Eigen::Vector2d centre = regions.centre(region);
-    centres.push_back({pupils().invert({centre.x(), centre.y(), 0.0}), 1.0, {}});
+    centres.push_back({pupils().invert({centre.x(), centre.y(), 0.0}), {}});
   }
   const auto smooth = moves(centres, unruly(), true), hard = moves(centres, unruly(), false);
   for (std::size_t i = 0; i < centres.size(); ++i) EXPECT_LT((smooth[i] - hard[i]).norm(), 1e-12) << i + 1;
@@ -102,7 +102,7 @@ TEST(TableDeformation, TheLipsPart) {
   table.maps[12].coefficients(1, 5) = -0.2;
   table.largestDisplacement = 0.2;
   const Eigen::Vector3d lip = pupils().invert({0.0, -2.2, 0.0});
-  const auto result = moves({{lip, 1.0, {1.0, 0.0}}, {lip, 1.0, {-1.0, 0.0}}}, table, true);
+  const auto result = moves({{lip, {1.0, 0.0}}, {lip, {-1.0, 0.0}}}, table, true);
   EXPECT_NEAR(result[0].y(), 3.1, 0.15) << "the border with the nose is near";
   EXPECT_NEAR(result[1].y(), -6.2, 1e-9);
 }

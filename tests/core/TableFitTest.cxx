@@ -56,6 +56,26 @@ TEST(TableFit, NamesRegionsWithoutPoints) {
   EXPECT_NE(fit.fit(samplesOf(markers, regions)).find("no point lies in regions 1, 2, 4"), std::string::npos);
 }
 
+TEST(TableFit, RegionsWithoutPointsStayAsTheyAreWhenAllowed) {
+  const FacialRegions regions = regionMap();
+  TableSamples samples = samplesOf(gridMarkers(movement(0, 1, 0, 0), movement(0, 1, 0, 0)), regions);
+  TableFit whole, without;
+  ASSERT_EQ(whole.fit(samples), "");
+  for (int& region : samples.regions) region = region == 1 ? 4 : region == 2 ? 5 : region;
+  EXPECT_EQ(without.fit(samples, {true, true}).rfind("no point lies in regions 1, 2", 0), 0u);
+  ASSERT_EQ(without.fit(samples, {false, true}), "");
+  EXPECT_EQ(without.emptyRegions(), (std::vector<int>{1, 2}));
+  EXPECT_EQ(without.warning().rfind("regions 1, 2 have no point and will not move", 0), 0u) << without.warning();
+  for (const int region : {1, 2})
+    EXPECT_EQ(without.table.maps[region - 1].coefficients, QuadraticMap::identity()) << region;
+  for (const int region : {3, 9, 12, 16})
+    // Fewer than twelve points: the noise, of which regions 4 and 5 have some more now, decides their ridge.
+    EXPECT_LT((without.table.maps[region - 1].coefficients - whole.table.maps[region - 1].coefficients).norm(), 1e-5)
+        << region;
+  EXPECT_TRUE(std::isfinite(without.rms) && without.rms > 0.0);
+  EXPECT_NE(TableFit().fit(TableSamples(), {false, true}), "") << "no point at all";
+}
+
 TEST(TableFit, StrictRefusesSparseRegions) {
   const FacialRegions regions = regionMap();
   TableSamples samples = samplesOf(gridMarkers(movement(0, 1, 0, 0), movement(0, 1, 0, 0)), regions);
@@ -63,7 +83,7 @@ TEST(TableFit, StrictRefusesSparseRegions) {
   for (std::size_t i = 0; i < samples.regions.size(); ++i)
     if (samples.regions[i] == 9 && ++kept > 4) samples.regions[i] = 8;
   TableFit fit;
-  EXPECT_NE(fit.fit(samples, true).find("fewer than 6 independent points"), std::string::npos);
+  EXPECT_NE(fit.fit(samples, {true}).find("fewer than 6 independent points"), std::string::npos);
   EXPECT_EQ(fit.fit(samples), "");
   EXPECT_EQ(fit.regions[8].points, 4);
   const std::vector<int> sparse = fit.sparseRegions();

@@ -235,8 +235,7 @@ TEST(FAPAnimationFilter, RefusesWrongInputWithoutOutput) {
   };
   EXPECT_NE(refused(empty, nullptr, "").find("there are no lines"), std::string::npos);
   EXPECT_NE(refused(curves, none, "").find("0 rows"), std::string::npos);
-  EXPECT_NE(refused(curves, nullptr, "/nowhere.json").find("/nowhere.json: the animation table cannot be read"),
-            std::string::npos);
+  EXPECT_NE(refused(curves, nullptr, "/nowhere.json").find("/nowhere.json: it cannot be opened"), std::string::npos);
   vtkNew<vtkPolyData> bare;
   bare->DeepCopy(curves);
   bare->GetFieldData()->RemoveArray("Pupils");

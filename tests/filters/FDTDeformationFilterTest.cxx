@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "DefaultRegions.h"
 #include "FDTData.h"
 #include "NamedTables.h"
@@ -132,7 +134,7 @@ TEST(FDTFiles, PackedTablesAreReadBackWithinTheirError) {
   writer->SetFileName(file.c_str());
   writer->SetBits(16);
   writer->Write();
-  EXPECT_EQ(readTextFile(file).size(), 408u);
+  EXPECT_EQ(readTextFile(file).size(), 412u);
   vtkNew<vtkFDTReader> reader;
   reader->SetFileName(file.c_str());
   reader->Update();
@@ -146,6 +148,39 @@ TEST(FDTFiles, PackedTablesAreReadBackWithinTheirError) {
   reader->Modified();
   reader->Update();
   EXPECT_EQ(errors.first().rfind(file + ": it has 100 bytes", 0), 0u) << errors.first();
+}
+
+TEST(FDTFiles, NothingHalfIsWritten) {
+  const TemporaryFolder folder;
+  mien::DeformationTable table = *mien::namedTable("joy");
+  vtkNew<vtkTable> data;
+  mien::writeFDT(table, data);
+  vtkNew<vtkFDTWriter> writer;
+  mien::PipelineErrors errors;
+  errors.observe(writer);
+  writer->SetInputData(data);
+  writer->Write();
+  EXPECT_NE(errors.first().find("there is no file name"), std::string::npos) << errors.first();
+  errors.clear();
+  const std::string file = folder.file("joy.fdt");
+  writeTextFile(file, "precious");
+  table.maps[0].coefficients(0, 0) = 1e12;
+  mien::writeFDT(table, data);
+  writer->SetInputData(data);
+  writer->SetFileName(file.c_str());
+  writer->SetBits(8);
+  writer->Write();
+  EXPECT_NE(errors.first().find("too large for a packed table"), std::string::npos) << errors.first();
+  EXPECT_EQ(readTextFile(file), "precious");
+  errors.clear();
+  writer->SetFileName((folder.file("none") + "/joy.csv").c_str());
+  writer->SetBits(0);
+  writer->Write();
+  EXPECT_NE(errors.first().find("it cannot be written"), std::string::npos) << errors.first();
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  EXPECT_EQ(readTextFile(file).rfind("region,", 0), 0u);
+  EXPECT_FALSE(std::ifstream(file + ".part").good());
 }
 
 TEST(FDTFiles, TheReaderNamesFileAndLine) {

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "ByteWriter.h"
+#include "Checksum.h"
 #include "CompactFace.h"
 #include "EntropyCode.h"
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ByteWriter.h"
+#include "Checksum.h"
 #include "EntropyCode.h"
 
 /// A compact face file put together by hand, with the right checksum whatever is in it.

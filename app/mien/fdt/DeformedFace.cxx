@@ -67,10 +67,10 @@ vtkSmartPointer<vtkPolyData> pointsOf(const PointTable& markers) {
 void requireUpright(const PointTable& markers, const EyePupils& pupils, const std::string& file) {
   PupilNormalisation normalisation;
   std::string fault = normalisation.set(pupils.left, pupils.right);
-  std::vector<std::pair<std::string, double>> heights;
+  MarkerPlaces places;
   for (const NamedPoint& marker : markers.points)
-    if (fault.empty() && marker.seen) heights.emplace_back(marker.name, normalisation.apply(marker.position).y());
-  if (fault.empty()) fault = describePosture(heights);
+    if (fault.empty() && marker.seen) places.emplace_back(marker.name, normalisation.apply(marker.position).head<2>());
+  if (fault.empty()) fault = describePosture(places, false);
   if (!fault.empty()) throw FileFailure(file + ": " + fault);
 }
 

@@ -44,9 +44,10 @@ FittedTable fitPair(const Options& options, const FacialRegions& regions) {
                        options.landmarks, options.strict, options.source());
   }
   MarkerTable markers;
-  const std::string fault = markers.join(readPoints(options.neutral, options.reading),
-                                         readPoints(options.expression, options.reading), options.reading.markers());
-  if (!fault.empty()) throw FileFailure(options.source() + ": line " + fault);
+  const std::string fault =
+      markers.join(readPoints(options.neutral, options.reading), readPoints(options.expression, options.reading),
+                   options.reading.markers(), {options.neutral, options.expression});
+  if (!fault.empty()) throw FileFailure(fault);
   return fitMarkers(markers, regions, options.strict, options.source());
 }
 

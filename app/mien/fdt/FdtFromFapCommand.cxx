@@ -68,8 +68,7 @@ struct Depths {
     for (std::size_t i = 0; i < before.points.size(); ++i) {
       const DeformationPoint& point = before.points[i];
       const Eigen::Vector3d place = before.pupils.apply(point.position);
-      if (regions.outlineWeight(place.head<2>()) < 1.0 || regions.facingWeight(place.z(), point.normalZ) < 1.0)
-        continue;
+      if (coverageOf(regions, place, point) < 1.0) continue;
       const double depth = unit * (after.pupils.apply(after.points[i].position).z() - place.z());
       const int region = regions.nearest(place.head<2>(), point.side) - 1;
       rms[region] += depth * depth;

@@ -31,8 +31,8 @@ nlohmann::ordered_json rowsOf(const DeformationTable& mean, const FacialRegions&
     const Eigen::Vector2d move = mean.maps[region - 1].apply(centre) - centre;
     rows.push_back({{"region", std::to_string(region) + " " + regions.name(region)},
                     {"centre_dx", move.x()},
-                    {"centre_dy", move.y()},
-                    {"mean_sd", spread(mean, region)}});
+                    {"centre_dy", move.y()}});
+    if (mean.deviations) rows.back()["mean_sd"] = spread(mean, region);
   }
   return rows;
 }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "Arguments.h"
+#include "DefaultRegions.h"
 #include "DeformedFace.h"
 #include "FaceFrame.h"
 #include "FaceOptions.h"
@@ -22,8 +23,6 @@
 namespace mien {
 
 namespace {
-
-constexpr double reach = 0.8;  // from a region's centre to the furthest point that its map decides, pupil units
 
 struct Options {
   std::string table, outputFile, bits = "16";
@@ -57,14 +56,15 @@ void run(const Options& options) {
   const int bits = bitsOf(options);
   requireEnding(options.outputFile, {"fdt"});
   const DeformationTable table = readTable(options.table);
-  const std::string bytes = packTable(table, bits);
+  std::string fault = describePacking(table, bits);
+  const std::string bytes = fault.empty() ? packTable(table, bits) : std::string();
   DeformationTable packed;
-  const std::string fault = unpackTable(bytes, packed);
+  if (fault.empty()) fault = unpackTable(bytes, packed);
   if (!fault.empty()) throw FileFailure(options.table + ": " + fault);
   const FaceError error(table, packed);
   DeformationTable plain = table;
   plain.deviations.reset();
-  const double bound = packingError(table, bits, reach);
+  const double bound = packingError(table, bits, defaultRegions());
   OutputFile::write(options.outputFile, bytes);
   const nlohmann::ordered_json about = {{"table", options.table},
                                         {"bits", bits},
@@ -77,8 +77,8 @@ void run(const Options& options) {
     std::cout << about.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";
   else
     std::cout << bytes.size() << " bytes (" << about["text_bytes"] << " as text without deviations); error at most "
-              << readableNumber(bound * error.unit) << " mm within " << readableNumber(reach)
-              << " pupil units of a region's centre, " << readableNumber(error.largest) << " mm on the generic face\n";
+              << readableNumber(bound * error.unit) << " mm anywhere on a face, " << readableNumber(error.largest)
+              << " mm on the generic face\n";
 }
 
 }  // namespace

@@ -24,17 +24,13 @@ struct Options {
   ReportOptions report;
 };
 
-std::string coefficientName(int row, int column) {
-  return (row ? "b" : "a") + std::to_string(column + 1);
-}
-
 /// A row for each of the 192 coefficients: value, and standard deviation and range where the table has them.
 json coefficientRows(const DeformationTable& table) {
   json rows = json::array();
   for (int i = 0; i < 12 * FacialRegions::count; ++i) {
     const int region = i / 12, row = i % 12 / 6, column = i % 6;
     const double value = table.maps[region].coefficients(row, column);
-    json about = {{"region", region + 1}, {"coefficient", coefficientName(row, column)}, {"value", value}};
+    json about = {{"region", region + 1}, {"coefficient", coefficientName(i % 12)}, {"value", value}};
     if (table.deviations) {
       const double deviation = table.deviations->at(region)(row, column);
       about["sd"] = deviation;

@@ -58,7 +58,7 @@ json FittedTable::rows(const FacialRegions& map) const {
 
 FittedTable fitMarkers(const MarkerTable& markers, const FacialRegions& regions, bool strict, const std::string& file) {
   TableFit fit;
-  const std::string fault = fit.fit(samplesOf(markers, regions), strict);
+  const std::string fault = fit.fit(samplesOf(markers, regions), {strict});
   if (!fault.empty()) throw FileFailure(file + ": " + fault);
   FittedTable fitted;
   fitted.table = fit.table;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "SmoothStep.h"
+
 namespace mien {
 
 namespace {
@@ -17,11 +19,6 @@ constexpr double earZoneEnd = 150.0 * degree;  // the back of the head is left a
 constexpr double smoothing = 3.0;              // standard deviation in columns and rows
 constexpr double earHeight = 2.5;              // mm that an ear stands out at least
 constexpr int earMargin = 4;                   // columns and rows around an ear that go with it
-
-double smoothStep(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 int wrapped(int column) {
   return (column + columnCount) % columnCount;

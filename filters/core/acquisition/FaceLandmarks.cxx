@@ -1,6 +1,7 @@
 #include "FaceLandmarks.h"
 
 #include <array>
+#include <cmath>
 
 namespace mien {
 
@@ -30,6 +31,14 @@ std::string describeSides(const FaceLandmarks& landmarks) {
 }
 
 }  // namespace
+
+FacePose facePose(const FaceLandmarks& landmarks) {
+  constexpr double leaning = 0.0267;  // of the line from chin to nose bridge
+  const Eigen::Vector3d aside =
+      landmarks[45] - landmarks[36] + landmarks[42] - landmarks[39] + landmarks[54] - landmarks[48];
+  const Eigen::Vector3d up = landmarks[27] - landmarks[8];
+  return {std::atan2(-aside.z(), aside.head<2>().norm()), std::atan2(up.z(), up.head<2>().norm()) - leaning};
+}
 
 HeadAxis headAxis(const FaceLandmarks& landmarks) {
   constexpr std::array<int, 8> midline = {27, 28, 29, 30, 33, 51, 57, 62};

@@ -31,6 +31,16 @@ double eyeDistance(const FaceLandmarks& landmarks);
 /// their outer corners.
 HeadAxis headAxis(const FaceLandmarks& landmarks);
 
+/// How far a face looks away from +z, radians.
+struct FacePose {
+  double yaw = 0.0;    ///< positive: to the subject's left
+  double pitch = 0.0;  ///< positive: down
+};
+
+/// The pose by eye and mouth corners (yaw) and by nose bridge and chin (pitch, which leans by 1.5 degrees on the
+/// generic face looking forward). Roll, about z, is not told.
+FacePose facePose(const FaceLandmarks& landmarks);
+
 /// One sentence that says which landmark is unusable (not finite, or in the wrong order down the face), or nothing.
 std::string describeFault(const FaceLandmarks& landmarks);
 

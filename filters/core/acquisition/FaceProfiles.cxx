@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "FaceLayout.h"
+#include "SmoothStep.h"
 
 namespace mien {
 
@@ -44,11 +45,6 @@ constexpr double asideWidth = 13.0 * degree;       // over which a gap opens
 constexpr double cornerWidth = 3.0 * degree;       // beyond a mouth corner, over which the skin takes over
 constexpr double blendBegin = 45.0 * degree, blendEnd = 130.0 * degree;
 constexpr double jawInset = 1.0;  // mm above the jaw landmarks, where a horizontal ray still leaves the face
-
-double smoothStep(double t) {
-  t = std::clamp(t, 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
 
 /// Collects knots (azimuth, height) of a key curve from landmarks.
 struct KnotMaker {

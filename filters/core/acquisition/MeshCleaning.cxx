@@ -5,23 +5,11 @@
 #include <array>
 #include <numeric>
 
+#include "JoinedSets.h"
+
 namespace mien {
 
 namespace {
-
-/// Sets of things that were joined.
-class Sets {
- public:
-  explicit Sets(int count) : parent_(static_cast<size_t>(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int a, int b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<int> parent_;
-};
 
 /// For each vertex the first one at its place.
 std::vector<int> firstAtPlace(const TriangleMesh::Vertices& vertices) {
@@ -82,7 +70,7 @@ TriangleMesh compacted(const TriangleMesh::Vertices& vertices, const std::vector
 
 /// Sums up the parts in the order in which they first occur.
 MeshParts measuredParts(const TriangleMesh& mesh) {
-  Sets sets(static_cast<int>(mesh.vertices.rows()));
+  JoinedSets sets(static_cast<size_t>(mesh.vertices.rows()));
   for (int t = 0; t < mesh.triangles.rows(); ++t)
     for (int i = 1; i < 3; ++i) sets.join(mesh.triangles(t, 0), mesh.triangles(t, i));
   MeshParts parts;
@@ -159,7 +147,7 @@ int boundaryLoops(const TriangleMesh& mesh) {
       edges.push_back({std::min(a, b), std::max(a, b)});
     }
   std::sort(edges.begin(), edges.end());
-  Sets sets(static_cast<int>(mesh.vertices.rows()));
+  JoinedSets sets(static_cast<size_t>(mesh.vertices.rows()));
   std::vector<int> ends;
   for (size_t i = 0; i < edges.size();) {
     size_t next = i + 1;

@@ -64,22 +64,16 @@ Reading readAs(const FaceLandmarks& known, const FaceLandmarks& picture, bool yD
   return reading;
 }
 
-std::string shortNumber(double value) {
-  std::string text;
-  appendNumber(text, std::round(value * 100.0) / 100.0);
-  return text;
-}
-
 std::string describeReading(const Reading& reading) {
   const std::string advice =
       "; give the 68 landmarks of a frontal face, 0-16 the jaw from the subject's right, see mien adapt --help";
   if (!(reading.misfit <= largestMisfit))
-    return "the landmarks are no frontal face: they lie " + shortNumber(reading.misfit) +
-           " eye distances (RMS) from those of the known face, at most " + shortNumber(largestMisfit) + " are allowed" +
+    return "the landmarks are no frontal face: they lie " + roundedText(reading.misfit) +
+           " eye distances (RMS) from those of the known face, at most " + roundedText(largestMisfit) + " are allowed" +
            advice;
   if (std::abs(reading.tilt()) > largestTilt)
-    return "the face leans by " + shortNumber(reading.tilt() * 180.0 / M_PI) + " degrees, more than " +
-           shortNumber(largestTilt * 180.0 / M_PI) +
+    return "the face leans by " + roundedText(reading.tilt() * 180.0 / M_PI) + " degrees, more than " +
+           roundedText(largestTilt * 180.0 / M_PI) +
            "; turn the picture upright, and mirror a mirrored one back, or say which way y grows with --y-down or "
            "--y-up";
   return {};
@@ -161,7 +155,7 @@ std::string fitToPicture(const FaceCurves& known, const FaceLandmarks& knownLand
     const Eigen::Vector3d p = known.curves.points.row(i).transpose();
     fitted.curves.points.row(i) = warped(warp, p, depthScale).transpose();
     if (!(warp.derivative(p.head<2>()).determinant() > 0.0))
-      return "the landmarks fold the face over at (" + shortNumber(p.x()) + ", " + shortNumber(p.y()) +
+      return "the landmarks fold the face over at (" + roundedText(p.x()) + ", " + roundedText(p.y()) +
              ") mm; some are swapped or misplaced";
   }
   if (known.hasPupils) {

@@ -24,16 +24,9 @@ constexpr double uprightWithin = 10.0 * M_PI / 180.0, nearWithin = 60.0;  // mm
 constexpr double usualEyes = 90.0;                                        // mm
 const char* const stopped = "stopped before the curves were measured";
 
-std::string shortNumber(double value) {
-  std::string text;
-  const double step = std::pow(10.0, std::floor(std::log10(std::max(std::abs(value), 1e-12))) - 2.0);
-  appendNumber(text, std::round(value / step) * step);
-  return text.substr(0, 10);
-}
-
 std::string askForUnit(double millimetres) {
   return "; say what its lengths are in with --units mm|cm|m|inch, or how many mm one unit is with --scale" +
-         (millimetres > 0.0 ? " (--scale " + shortNumber(millimetres) + " would make the head usual in size)" : "");
+         (millimetres > 0.0 ? " (--scale " + roundedText(millimetres) + " would make the head usual in size)" : "");
 }
 
 bool any(const LandmarkTable::Given& given) {
@@ -49,7 +42,7 @@ void useUnit(const LengthUnit& unit, ScanReport& report) {
 std::string recogniseUnit(double eyes, ScanReport& report) {
   const std::vector<LengthUnit> units = unitsThatFit(eyes, smallestEyeDistance, largestEyeDistance);
   if (units.empty())
-    return "the outer eye corners (landmarks 36 and 45) lie " + shortNumber(eyes) +
+    return "the outer eye corners (landmarks 36 and 45) lie " + roundedText(eyes) +
            " apart, which no head has in mm, cm, m or inches" + askForUnit(eyes > 0.0 ? usualEyes / eyes : 0.0);
   useUnit(units.front(), report);
   return {};
@@ -82,7 +75,7 @@ class FaceSearch {
     std::vector<LengthUnit> units = unitsThatFit(size, smallestScan, largestScan);
     if (settings_.millimetres > 0.0) units = {{"", "", settings_.millimetres}};
     if (units.empty())
-      return "the scan measures " + shortNumber(size) +
+      return "the scan measures " + roundedText(size) +
              " from corner to corner, which no head does in mm, cm, m or inches" + askForUnit(0.0);
     for (size_t i = 0; i < units.size(); ++i) {
       const double n = static_cast<double>(units.size());
@@ -107,9 +100,9 @@ class FaceSearch {
   std::string judge() const {
     const Trial& best = trials_.front();
     if (!best.isFace())
-      return "no face was found on the scan: the generic face lies " + shortNumber(best.fit.distance) +
-             " mm (RMS) from it at best, and their relief agrees by " + shortNumber(best.fit.relief) + " (at most " +
-             shortNumber(largestDistance) + " mm and at least " + shortNumber(leastRelief) +
+      return "no face was found on the scan: the generic face lies " + roundedText(best.fit.distance) +
+             " mm (RMS) from it at best, and their relief agrees by " + roundedText(best.fit.relief) + " (at most " +
+             roundedText(largestDistance) + " mm and at least " + roundedText(leastRelief) +
              " are needed); give the landmarks with --landmarks, or the unit with --units";
     if (trials_.size() > 1 && trials_[1].isFace() && trials_[1].score() < clearlyBetter * best.score())
       return "the scan may be in " + best.unit.fullName + " or in " + trials_[1].unit.fullName + askForUnit(0.0);

@@ -4,6 +4,7 @@
 
 #include "ByteReader.h"
 #include "ByteWriter.h"
+#include "Checksum.h"
 #include "CurveCoder.h"
 #include "EntropyCode.h"
 #include "FeatureCode.h"
@@ -19,12 +20,6 @@ constexpr std::string_view magic = "MIENZ";
 constexpr std::size_t checkedFrom = magic.size() + 1 + 4;  // version and checksum
 constexpr std::uint8_t millimetres = 0, withPupils = 1;
 constexpr double pupilStep = 0.01;  // mm
-
-std::string textOf(double number) {
-  std::string text;
-  appendNumber(text, number);
-  return text;
-}
 
 // -- Writing
 
@@ -80,15 +75,15 @@ std::string packedBody(const FaceCurves& face, const CurveLevels& levels) {
 std::string describeUnstorable(const FaceCurves& face, const std::string& name, double tolerance) {
   const int k = face.curves.pointsPerCurve;
   if (!(tolerance >= Limits::finest && tolerance <= Limits::coarsest))
-    return "a tolerance of " + textOf(tolerance) + " mm is not allowed; give " + textOf(Limits::finest) + " to " +
-           textOf(Limits::coarsest) + " mm";
+    return "a tolerance of " + numberText(tolerance) + " mm is not allowed; give " + numberText(Limits::finest) +
+           " to " + numberText(Limits::coarsest) + " mm";
   const std::string fault = describeFault(face);
   if (!fault.empty()) return fault;
   if (k > Limits::largestCurve)
     return "curves have " + std::to_string(k) + " points each; a compact face file holds at most " +
            std::to_string(Limits::largestCurve);
   if (face.curves.points.cwiseAbs().maxCoeff() > Limits::farthest)
-    return "the curves lie further than " + textOf(Limits::farthest) + " mm from the origin; are they in mm?";
+    return "the curves lie further than " + numberText(Limits::farthest) + " mm from the origin; are they in mm?";
   if (name.size() > Limits::longestName)
     return "the name is longer than " + std::to_string(Limits::longestName) + " bytes; shorten it";
   if (face.features.size() > Limits::mostFeatures)

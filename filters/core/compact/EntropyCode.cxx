@@ -62,8 +62,4 @@ bool unpackBytes(std::string_view packed, std::size_t limit, std::string& bytes)
   return true;
 }
 
-unsigned checksumOf(std::string_view bytes) {
-  return lzma_crc32(bytesOf(bytes), bytes.size(), 0);
-}
-
 }  // namespace mien

@@ -14,7 +14,4 @@ std::string packBytes(std::string_view bytes);
 /// @return whether `packed` is whole and unpacks to at most `limit` bytes; `bytes` is left alone otherwise
 bool unpackBytes(std::string_view packed, std::size_t limit, std::string& bytes);
 
-/// CRC-32 (ISO 3309) of the bytes.
-unsigned checksumOf(std::string_view bytes);
-
 }  // namespace mien

@@ -1,55 +1,71 @@
 #include "EyePupils.h"
 
+#include <Eigen/Geometry>
 #include <map>
-#include <numeric>
+
+#include "JoinedSets.h"
 
 namespace mien {
 
 namespace {
 
-/// The connected part of the mesh that each vertex belongs to, named by one of its vertices.
-std::vector<int> partsOf(std::size_t count, const MeshEdges& edges) {
-  std::vector<int> part(count);
-  std::iota(part.begin(), part.end(), 0);
-  const auto root = [&](int vertex) {
-    while (part[vertex] != vertex) vertex = part[vertex] = part[part[vertex]];
-    return vertex;
-  };
-  for (const auto& edge : edges) part[root(edge[0])] = root(edge[1]);
-  for (std::size_t i = 0; i < count; ++i) part[i] = root(static_cast<int>(i));
-  return part;
-}
-
+/// A connected part of the mesh.
 struct Part {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::AlignedBox3d box;
   int count = 0;
 
   Eigen::Vector3d middle() const { return sum / count; }
 };
 
-Eigen::Vector3d pupil(const std::map<int, Part>& parts, const Eigen::Vector3d& eye, double width) {
+/// Named by one of their vertices.
+using Parts = std::map<int, Part>;
+
+const Part* eyeball(const Parts& parts, const Eigen::Vector3d& eye, double width) {
   const Part* best = nullptr;
   for (const auto& [name, part] : parts)
     if ((part.middle() - eye).norm() < width && (!best || part.count > best->count)) best = &part;
-  return best ? best->middle() : eye;
+  return best;
+}
+
+Parts partsOf(const MeshVertices& vertices, JoinedSets& sets) {
+  Parts parts;
+  for (Eigen::Index i = 0; i < vertices.rows(); ++i) {
+    Part& part = parts[sets.find(static_cast<int>(i))];
+    part.sum += vertices.row(i).transpose();
+    part.box.extend(vertices.row(i).transpose());
+    ++part.count;
+  }
+  return parts;
 }
 
 }  // namespace
 
-EyePupils eyePupils(const MeshVertices& vertices, const MeshEdges& edges, const LandmarkVertices& landmarks) {
-  const std::vector<int> names = partsOf(vertices.rows(), edges);
-  std::map<int, Part> parts;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    parts[names[i]].sum += vertices.row(i).transpose();
-    ++parts[names[i]].count;
-  }
-  for (const int landmark : landmarks) parts.erase(names[landmark]);
-  const auto eye = [&](int first) {
+EyePupils eyePupils(const MeshVertices& vertices, const MeshEdges& edges, const LandmarkVertices& landmarks,
+                    std::vector<bool>* inEyes) {
+  JoinedSets sets(static_cast<std::size_t>(vertices.rows()));
+  for (const auto& edge : edges) sets.join(edge[0], edge[1]);
+  Parts parts = partsOf(vertices, sets);
+  for (const int landmark : landmarks) parts.erase(sets.find(landmark));
+  const auto middleOf = [&](int first) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (int i = first; i < first + 6; ++i) middle += vertices.row(landmarks[i]).transpose() / 6.0;
-    return pupil(parts, middle, (vertices.row(landmarks[first]) - vertices.row(landmarks[first + 3])).norm());
+    return middle;
   };
-  return {eye(42), eye(36)};
+  const auto ballOf = [&](int first) {
+    return eyeball(parts, middleOf(first),
+                   (vertices.row(landmarks[first]) - vertices.row(landmarks[first + 3])).norm());
+  };
+  const Part *left = ballOf(42), *right = ballOf(36);
+  if (inEyes) {
+    inEyes->assign(static_cast<std::size_t>(vertices.rows()), false);
+    for (Eigen::Index i = 0; i < vertices.rows(); ++i) {
+      const auto part = parts.find(sets.find(static_cast<int>(i)));
+      for (const Part* ball : {left, right})
+        if (ball && part != parts.end() && ball->box.contains(part->second.box)) (*inEyes)[i] = true;
+    }
+  }
+  return {left ? left->middle() : middleOf(42), right ? right->middle() : middleOf(36)};
 }
 
 }  // namespace mien

@@ -13,6 +13,9 @@ struct EyePupils {
 /// From the 68 landmarks as vertices of a mesh: the mean of the eyeball's vertices, an eyeball being the largest part
 /// of the mesh apart from the skin whose middle lies within an eye's width of the middle of landmarks 36-41 (42-47);
 /// that middle itself on a mesh without eyeballs. All indices valid.
-EyePupils eyePupils(const MeshVertices& vertices, const MeshEdges& edges, const LandmarkVertices& landmarks);
+/// @param inEyes  told for each vertex whether it belongs to an eye and not to the skin: the eyeball, and all parts of
+///     the mesh that lie wholly within the eyeball's box
+EyePupils eyePupils(const MeshVertices& vertices, const MeshEdges& edges, const LandmarkVertices& landmarks,
+                    std::vector<bool>* inEyes = nullptr);
 
 }  // namespace mien

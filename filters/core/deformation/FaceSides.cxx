@@ -5,6 +5,7 @@
 #include <limits>
 #include <queue>
 
+#include "NumberText.h"
 #include "SmoothStep.h"
 
 namespace mien {
@@ -77,7 +78,7 @@ std::vector<double> slitSides(const MeshVertices& vertices, const MeshEdges& edg
 }
 
 std::vector<FaceSide> faceSides(const MeshVertices& vertices, const MeshEdges& edges, const LandmarkVertices& landmarks,
-                                const FacialRegions& regions, double unit) {
+                                const FacialRegions& regions, double unit, const Progress& progress) {
   const auto sidesOf = [&](const std::vector<int>& upper, const std::vector<int>& lower, int begin, int end,
                            double reach) {
     MeshSlit slit;
@@ -88,12 +89,22 @@ std::vector<FaceSide> faceSides(const MeshVertices& vertices, const MeshEdges& e
     slit.reach = reach * unit;
     return slitSides(vertices, edges, slit);
   };
-  const auto lips = sidesOf({61, 62, 63}, {65, 66, 67}, 60, 64, regions.lipReach());
-  const auto right = sidesOf({37, 38}, {40, 41}, 36, 39, regions.lidReach());
-  const auto left = sidesOf({43, 44}, {46, 47}, 42, 45, regions.lidReach());
   std::vector<FaceSide> sides(vertices.rows());
+  if (!goesOn(progress, 0.0)) return sides;
+  const auto lips = sidesOf({61, 62, 63}, {65, 66, 67}, 60, 64, regions.lipReach());
+  if (!goesOn(progress, 0.4)) return sides;
+  const auto right = sidesOf({37, 38}, {40, 41}, 36, 39, regions.lidReach());
+  if (!goesOn(progress, 0.7)) return sides;
+  const auto left = sidesOf({43, 44}, {46, 47}, 42, 45, regions.lidReach());
   for (std::size_t i = 0; i < sides.size(); ++i) sides[i] = {lips[i], std::clamp(right[i] + left[i], -1.0, 1.0)};
   return sides;
+}
+
+int landmarkNumber(const std::string& name) {
+  constexpr std::string_view prefix = "landmark";
+  if (name.rfind(prefix, 0) != 0) return -1;
+  const auto number = parseWholeNumber(std::string_view(name).substr(prefix.size()));
+  return number && *number >= 0 && *number < 68 ? static_cast<int>(*number) : -1;
 }
 
 FaceSide landmarkSide(int landmark) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "FacialRegions.h"
+#include "Progress.h"
 #include "TriangleMesh.h"
 
 namespace mien {
@@ -32,8 +33,12 @@ std::vector<double> slitSides(const MeshVertices& vertices, const MeshEdges& edg
 
 /// Sides of lips and lids of a mesh with the 68 landmarks as vertex indices.
 /// @param unit  length of one pupil unit
+/// @param progress  sides are none where it says stop
 std::vector<FaceSide> faceSides(const MeshVertices& vertices, const MeshEdges& edges, const LandmarkVertices& landmarks,
-                                const FacialRegions& regions, double unit);
+                                const FacialRegions& regions, double unit, const Progress& progress = {});
+
+/// The number (0 .. 67) of the landmark that a marker's name says it is ("landmark08", "landmark8"); -1 for any other.
+int landmarkNumber(const std::string& name);
 
 /// The side of a marker by the landmark it is: its number of the 68, no side for any other.
 FaceSide landmarkSide(int landmark);

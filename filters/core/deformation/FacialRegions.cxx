@@ -86,7 +86,6 @@ std::string FacialRegions::parse(const std::string& text) {
     parsed.lips_ = slit(json.at("lips"));
     parsed.lids_ = slit(json.at("lids"));
     parsed.depthRange_ = ascending(back, "depth");
-    parsed.normalRange_ = ascending(back, "normal_z");
   } catch (const std::exception& error) {
     return std::string("region map: ") + error.what();
   }
@@ -122,11 +121,8 @@ double FacialRegions::outlineWeight(const Eigen::Vector2d& point) const {
   return smoothStep(1.0 - (radius - 1.0) / outlineFade_);
 }
 
-double FacialRegions::facingWeight(double z, double normalZ) const {
-  const auto within = [](double value, const std::array<double, 2>& range) {
-    return smoothStep((value - range[0]) / (range[1] - range[0]));
-  };
-  return 1.0 - (1.0 - within(z, depthRange_)) * (1.0 - within(normalZ, normalRange_));
+double FacialRegions::depthWeight(double z) const {
+  return smoothStep((z - depthRange_[0]) / (depthRange_[1] - depthRange_[0]));
 }
 
 DeformationTable FacialRegions::mirrored(const DeformationTable& table) const {

@@ -56,8 +56,8 @@ class FacialRegions {
   /// 1 where tables are fitted, 0 beyond the face's outline, smooth between.
   double outlineWeight(const Eigen::Vector2d& point) const;
 
-  /// 1 on the face, 0 on skin that faces backwards (z of the unit normal) behind the face (z in pupil units).
-  double facingWeight(double z, double normalZ) const;
+  /// 1 on the face, 0 behind it, where the ears are: z in pupil units, smooth between.
+  double depthWeight(double z) const;
 
   /// The table of the mirrored face.
   DeformationTable mirrored(const DeformationTable& table) const;
@@ -74,7 +74,7 @@ class FacialRegions {
   Eigen::Vector2d outlineCentre_, outlineRadii_;
   double outlineExponent_ = 0.0, outlineFade_ = 0.0;
   Slit lips_, lids_;
-  std::array<double, 2> depthRange_{}, normalRange_{};
+  std::array<double, 2> depthRange_{};
 };
 
 }  // namespace mien

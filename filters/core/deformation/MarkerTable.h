@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -25,13 +26,17 @@ struct MarkerTable {
 
   /// CSV with a header naming `marker`, `neutral_x`, `neutral_y`, `expression_x`, `expression_y`, optionally
   /// `neutral_z` and `expression_z` (both or none) and `region`, in any order. Blank cells are markers that were not
-  /// seen; the pupils must be. A face that stands on its head after normalisation is refused.
-  /// @return nothing, or "LINE: what is wrong and what to do"; the table is then as it was
+  /// seen; the pupils must be. Lines that begin with # are comments. A face that stands on its head after normalisation
+  /// or is the wrong way round is refused (describePosture).
+  /// @return nothing, or "LINE: what is wrong and what to do" (" what ..": it is in no line); the table is then as it
+  /// was
   std::string parse(const std::string& text, const MarkerOptions& options = {});
 
   /// From two files of the same markers, before and after, read with these options; a marker that one of them does not
-  /// have was not seen. @return nothing, or what is wrong: "neutral: ..", "expression: .." or for both
-  std::string join(const PointTable& before, const PointTable& after, const MarkerOptions& options = {});
+  /// have was not seen. @return nothing, or "NAME:LINE: what is wrong", "NAME: .." or "NAME and NAME: .." with the
+  /// names of the files
+  std::string join(const PointTable& before, const PointTable& after, const MarkerOptions& options = {},
+                   const std::array<std::string, 2>& names = {"neutral", "expression"});
 };
 
 }  // namespace mien

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "Checksum.h"
+
 namespace mien {
 
 namespace {
@@ -13,6 +15,8 @@ namespace {
 using Coefficients = QuadraticMap::Coefficients;
 constexpr int regionCount = DeformationTable::regionCount;
 constexpr std::size_t headerBytes = 8 + 4 * sizeof(float);
+constexpr char version = 2, withoutChecksum = 1;
+constexpr double largestNumber = 1e6;  // that a header may hold
 
 // The centres of version 1; a later region map must not change what a file means.
 constexpr std::array<std::array<double, 2>, regionCount> centres = {{{-0.9, 1.6},
@@ -47,28 +51,37 @@ int degreeClass(int column) {
   return column < 3 ? 0 : column < 5 ? 1 : 2;
 }
 
-/// Displacements about the centres, and the steps that fit their largest coefficients.
+/// Displacements about the centres, and the largest of their coefficients by degree.
 struct Local {
   std::array<Coefficients, regionCount> coefficients;
-  std::array<float, 3> steps{};
+  std::array<double, 3> largest{};
 
-  Local(const DeformationTable& table, int bits) {
-    std::array<double, 3> largest{};
+  explicit Local(const DeformationTable& table) {
     for (int i = 0; i < regionCount; ++i) {
       coefficients[i] = shifted(table.maps[i].coefficients - QuadraticMap::identity(), centres[i][0], centres[i][1]);
       for (int k = 0; k < 12; ++k)
         largest[degreeClass(k % 6)] = std::max(largest[degreeClass(k % 6)], std::abs(coefficients[i](k / 6, k % 6)));
     }
+  }
+
+  /// What the largest coefficients fit into.
+  std::array<float, 3> steps(int bits) const {
     const double levels = (1 << (bits - 1)) - 1;
+    std::array<float, 3> result{};
     // Rounded upwards, so that the largest coefficient stays within the integers.
-    for (int k = 0; k < 3; ++k) steps[k] = std::nextafter(static_cast<float>(largest[k] / levels), 1e30f);
+    for (int k = 0; k < 3; ++k) result[k] = std::nextafter(static_cast<float>(largest[k] / levels), 1e30f);
+    return result;
   }
 };
+
+void appendWord(std::string& bytes, std::uint32_t word) {
+  for (int k = 0; k < 4; ++k) bytes += static_cast<char>(word >> (8 * k) & 0xff);
+}
 
 void appendFloat(std::string& bytes, float value) {
   std::uint32_t word;
   std::memcpy(&word, &value, sizeof word);
-  for (int k = 0; k < 4; ++k) bytes += static_cast<char>(word >> (8 * k) & 0xff);
+  appendWord(bytes, word);
 }
 
 std::uint32_t wordAt(const std::string& bytes, std::size_t at, int size) {
@@ -86,17 +99,21 @@ float floatAt(const std::string& bytes, std::size_t at) {
 
 std::string describeHeaderFault(const std::string& bytes) {
   if (!isPackedTable(bytes) || bytes.size() < headerBytes) return "it is no packed facial deformation table";
-  if (bytes[4] != 1) return "its version is " + std::to_string(int(bytes[4])) + "; this program knows version 1";
+  if (bytes[4] != version && bytes[4] != withoutChecksum)
+    return "its version is " + std::to_string(int(bytes[4])) + "; this program knows versions 1 and 2";
   if (bytes[5] != 8 && bytes[5] != 16)
     return "it has " + std::to_string(int(bytes[5])) + " bits a coefficient; there are 8 and 16";
   if (bytes[6] || bytes[7]) return "bytes 6 and 7 are not 0; it is damaged";
-  const std::size_t expected = headerBytes + 12 * regionCount * (bytes[5] / 8);
+  const std::size_t checked = headerBytes + 12 * regionCount * (bytes[5] / 8);
+  const std::size_t expected = checked + (bytes[4] == withoutChecksum ? 0 : sizeof(std::uint32_t));
   if (bytes.size() != expected)
     return "it has " + std::to_string(bytes.size()) + " bytes where a table has " + std::to_string(expected) +
            "; it is damaged";
+  if (expected > checked && wordAt(bytes, checked, 4) != checksumOf(std::string_view(bytes).substr(0, checked)))
+    return "its checksum is wrong; it is damaged";
   for (int k = 0; k < 4; ++k) {
     const float value = floatAt(bytes, 8 + 4 * k);
-    if (!(value >= 0.0f && value <= 1e6f))
+    if (!(value >= 0.0f && value <= float(largestNumber)))
       return "its displacement or a step is no number from 0 to 1e6; it is damaged";
   }
   return {};
@@ -105,17 +122,30 @@ std::string describeHeaderFault(const std::string& bytes) {
 }  // namespace
 
 std::string packTable(const DeformationTable& table, int bits) {
-  const Local local(table, bits);
+  const Local local(table);
+  const std::array<float, 3> steps = local.steps(bits);
   std::string bytes = "MFDT";
-  bytes += {1, static_cast<char>(bits), 0, 0};
+  bytes += {version, static_cast<char>(bits), 0, 0};
   appendFloat(bytes, static_cast<float>(table.largestDisplacement));
-  for (const float step : local.steps) appendFloat(bytes, step);
+  for (const float step : steps) appendFloat(bytes, step);
   for (const Coefficients& region : local.coefficients)
     for (int k = 0; k < 12; ++k) {
-      const long value = std::lround(region(k / 6, k % 6) / local.steps[degreeClass(k % 6)]);
+      const long value = std::lround(region(k / 6, k % 6) / steps[degreeClass(k % 6)]);
       for (int byte = 0; byte < bits / 8; ++byte) bytes += static_cast<char>(value >> (8 * byte) & 0xff);
     }
+  appendWord(bytes, checksumOf(bytes));
   return bytes;
+}
+
+std::string describePacking(const DeformationTable& table, int bits) {
+  const double levels = (1 << (bits - 1)) - 1;
+  const Local local(table);
+  for (const double largest : local.largest)
+    if (!(largest / levels < largestNumber))
+      return "it has coefficients too large for a packed table; write it as text (.csv)";
+  return table.largestDisplacement <= largestNumber ? ""
+                                                    : "its displacement is too large for a packed table; write it as "
+                                                      "text (.csv)";
 }
 
 bool isPackedTable(const std::string& bytes) {
@@ -142,12 +172,41 @@ std::string unpackTable(const std::string& bytes, DeformationTable& table) {
   return {};
 }
 
-double packingError(const DeformationTable& table, int bits, double reach) {
-  const Local local(table, bits);
-  // x^2 + |xy| + y^2 is at most 1.5 reach^2, |x| + |y| at most sqrt(2) reach; both coordinates can be off at once.
+namespace {
+
+/// How far a map about its centre can be off at a distance from it.
+double errorAt(const std::array<float, 3>& steps, double distance) {
+  // x^2 + |xy| + y^2 is at most 1.5 d^2, |x| + |y| at most sqrt(2) d; both coordinates can be off at once.
   const double coordinate =
-      0.5 * (1.5 * reach * reach * local.steps[0] + std::sqrt(2.0) * reach * local.steps[1] + local.steps[2]);
+      0.5 * (1.5 * distance * distance * steps[0] + std::sqrt(2.0) * distance * steps[1] + steps[2]);
   return std::sqrt(2.0) * coordinate;
+}
+
+}  // namespace
+
+double packingError(const DeformationTable& table, int bits, double reach) {
+  return errorAt(Local(table).steps(bits), reach);
+}
+
+double packingError(const DeformationTable& table, int bits, const FacialRegions& regions) {
+  constexpr double step = 0.05, aside = 4.0, below = -5.5, above = 4.0;  // pupil units, beyond any face's outline
+  const std::array<float, 3> steps = Local(table).steps(bits);
+  double largest = 0.0;
+  for (double y = below; y <= above; y += step)
+    for (double x = -aside; x <= aside; x += step) {
+      const Eigen::Vector2d point(x, y);
+      const double coverage = regions.outlineWeight(point);
+      for (const double side : {-1.0, 0.0, 1.0}) {
+        if (coverage == 0.0) continue;
+        const FacialRegions::Weights weights = regions.weights(point, {side, 0.0});
+        double error = 0.0;
+        for (int i = 0; i < regionCount; ++i)
+          if (weights[i] > 0.0)
+            error += weights[i] * errorAt(steps, (point - Eigen::Vector2d(centres[i][0], centres[i][1])).norm());
+        largest = std::max(largest, coverage * error);
+      }
+    }
+  return largest;
 }
 
 }  // namespace mien

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <sstream>
 
 #include "CommaText.h"
+#include "LineReader.h"
 #include "NumberText.h"
 
 namespace mien {
@@ -13,6 +13,7 @@ namespace mien {
 namespace {
 
 const std::array<const char*, 3> axisNames = {"x", "y", "z"};
+constexpr const char* noHeader = "the header must name marker, x and y";
 
 struct Columns {
   std::size_t count = 0;
@@ -24,7 +25,7 @@ struct Columns {
     marker = columnNamed(header, "marker");
     region = columnNamed(header, "region");
     for (int i = 0; i < 3; ++i) axes[i] = columnNamed(header, axisNames[i]);
-    return marker < 0 || axes[0] < 0 || axes[1] < 0 ? "the header must name marker, x and y" : "";
+    return marker < 0 || axes[0] < 0 || axes[1] < 0 ? noHeader : "";
   }
 };
 
@@ -56,6 +57,15 @@ std::string parsePoint(const std::vector<std::string>& cells, const Columns& col
   return parsePosition(cells, columns, point);
 }
 
+constexpr int fewestSided = 4;  // landmarks: fewer may all be of a nose that is seen from the side
+
+/// 1 for landmarks of the subject's left half of the face, -1 for those of the right, 0 near the midline and for none.
+int sideOfLandmark(int landmark) {
+  const auto within = [&](int first, int last) { return landmark >= first && landmark <= last; };
+  if (within(0, 6) || within(17, 20) || within(36, 41) || within(48, 49) || within(59, 60)) return -1;
+  return within(10, 16) || within(23, 26) || within(42, 47) || within(53, 55) || landmark == 64;
+}
+
 }  // namespace
 
 std::optional<int> parseRegion(const std::string& cell) {
@@ -65,22 +75,18 @@ std::optional<int> parseRegion(const std::string& cell) {
 }
 
 std::string PointTable::parse(const std::string& text, const MarkerOptions& options) {
-  std::istringstream stream(text);
-  std::string line;
-  std::getline(stream, line);
-  if (line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);
+  LineReader lines(text);
   Columns columns;
   PointTable parsed;
   std::set<std::string> names;
-  std::string fault = columns.find(splitAtCommas(line));
-  if (!fault.empty()) return "1: " + fault;
-  for (int number = 2; std::getline(stream, line); ++number) {
-    if (line.find_first_not_of(" \t\r,") == std::string::npos) continue;
+  std::string fault = lines.next() ? columns.find(splitAtCommas(lines.line())) : noHeader;
+  if (!fault.empty()) return std::to_string(std::max(lines.number(), 1)) + ": " + fault;
+  while (lines.next()) {
     NamedPoint point;
-    point.line = number;
-    fault = parsePoint(splitAtCommas(line), columns, point);
+    point.line = lines.number();
+    fault = parsePoint(splitAtCommas(lines.line()), columns, point);
     if (fault.empty() && !names.insert(point.name).second) fault = point.name + " is given twice; remove one of them";
-    if (!fault.empty()) return std::to_string(number) + ": " + fault;
+    if (!fault.empty()) return std::to_string(point.line) + ": " + fault;
     point.position = options.upright(point.position);
     parsed.points.push_back(point);
   }
@@ -128,16 +134,26 @@ std::string PointTable::findPupils(const MarkerOptions& options, EyePupils& pupi
   return {};
 }
 
-std::string describePosture(const std::vector<std::pair<std::string, double>>& heights) {
-  const std::string fault =
+std::string describePosture(const MarkerPlaces& places, bool wholeFace) {
+  const std::string standing =
       "the chin lies above the eyes; say that y runs downwards (--y-down), that the pictures are mirrored "
       "(--mirrored), or exchange the pupils";
-  double sum = 0.0;
-  for (const auto& [name, height] : heights) {
-    if (name == "landmark08" || name == "chin") return height > 0.0 ? fault : "";
-    sum += height;
+  const std::string sided =
+      "the landmarks of the subject's right side lie beside the left pupil; exchange the pupils (pupil_left is the "
+      "subject's own left), or correct --mirrored and --y-down";
+  double height = 0.0, apart = 0.0;
+  int landmarks = 0;
+  bool chin = false;
+  for (const auto& [name, place] : places) {
+    const int landmark = landmarkNumber(name), side = sideOfLandmark(landmark);
+    if ((landmark == 8 || name == "chin") && place.y() > 0.0) return standing;
+    chin = chin || landmark == 8 || name == "chin";
+    height += place.y();
+    apart += side * place.x();
+    landmarks += side != 0;
   }
-  return sum > 0.0 && heights.size() >= 16 ? fault : "";
+  if (wholeFace && !chin && height > 0.0 && places.size() >= 16) return standing;
+  return landmarks >= fewestSided && apart < 0.0 ? sided : "";
 }
 
 }  // namespace mien

@@ -39,7 +39,8 @@ struct PointTable {
   bool hasRegions = false;
 
   /// CSV with a header naming `marker`, `x`, `y`, optionally `z` and `region`, in any order. Blank cells are markers
-  /// that were not seen. @return nothing, or "LINE: what is wrong and what to do"; the table is then as it was
+  /// that were not seen, lines that begin with # comments. @return nothing, or "LINE: what is wrong and what to do";
+  /// the table is then as it was
   std::string parse(const std::string& text, const MarkerOptions& options = {});
 
   /// The text that parse() reads back without a difference, with these options.
@@ -54,8 +55,12 @@ struct PointTable {
 /// The region in a cell: 1 .. 16, 0 for a blank one, nothing for any other text.
 std::optional<int> parseRegion(const std::string& cell);
 
-/// What is wrong with a face that hangs upside down, or nothing: markers with their heights above the pupils. A chin
-/// tells; else the mean height of 16 markers or more, which on any face lies below the pupils.
-std::string describePosture(const std::vector<std::pair<std::string, double>>& heights);
+/// Names of markers and where they are, pupil units.
+using MarkerPlaces = std::vector<std::pair<std::string, Eigen::Vector2d>>;
+
+/// What is wrong with a face that hangs upside down or is the wrong way round, or nothing. A chin (landmark 8) tells
+/// the one, landmarks of either side of the face the other. Without a chin so does, of a whole face, the mean height of
+/// 16 markers or more, which lies below the pupils; some markers may be of the forehead alone.
+std::string describePosture(const MarkerPlaces& places, bool wholeFace);
 
 }  // namespace mien

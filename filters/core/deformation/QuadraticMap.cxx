@@ -9,6 +9,10 @@ QuadraticMap::Coefficients QuadraticMap::identity() {
   return result;
 }
 
+std::string coefficientName(int index) {
+  return (index < 6 ? "a" : "b") + std::to_string(index % 6 + 1);
+}
+
 QuadraticMap::Basis QuadraticMap::basis(const Eigen::Vector2d& point) {
   const double x = point.x(), y = point.y();
   return (Basis() << x * x, x * y, y * y, x, y, 1.0).finished();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 
 namespace mien {
 
@@ -23,5 +24,8 @@ struct QuadraticMap {
   /// The map of the mirrored face: (-a1, a2, -a3, a4, -a5, -a6; b1, -b2, b3, -b4, b5, b6).
   QuadraticMap mirrored() const;
 };
+
+/// a1 .. a6, b1 .. b6 for 0 .. 11.
+std::string coefficientName(int index);
 
 }  // namespace mien

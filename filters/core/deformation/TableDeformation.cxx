@@ -9,22 +9,30 @@ namespace mien {
 
 namespace {
 
+constexpr std::size_t pointsBetweenReports = 65536;
+
 // Distances from a region's centre, pupil units, for tables whose points are not known.
-constexpr double fullTrust = 0.8, noTrust = 1.4;
+constexpr double fullTrust = 0.6, noTrust = 1.1;
+// Distances from the midline: beside the mouth corners such tables run away first, and fold the jaw.
+constexpr double fullTrustAside = 1.2, noTrustAside = 2.0;
 
 }  // namespace
 
+double coverageOf(const FacialRegions& regions, const Eigen::Vector3d& place, const DeformationPoint& point) {
+  return point.stays ? 0.0 : regions.outlineWeight(place.head<2>()) * regions.depthWeight(place.z());
+}
+
 TableDeformation::TableDeformation(const std::vector<DeformationPoint>& points, const PupilNormalisation& pupils,
-                                   const FacialRegions& regions, bool smooth) {
+                                   const FacialRegions& regions, bool smooth, const Progress& progress) {
   const Eigen::Vector3d origin = pupils.invert(Eigen::Vector3d::Zero());
   toFace_.col(0) = (pupils.invert(Eigen::Vector3d::UnitX()) - origin).head<2>();
   toFace_.col(1) = (pupils.invert(Eigen::Vector3d::UnitY()) - origin).head<2>();
   places_.reserve(points.size());
   shares_.reserve(2 * points.size());
   for (const DeformationPoint& point : points) {
+    if (places_.size() % pointsBetweenReports == 0 && !goesOn(progress, double(places_.size()) / points.size())) return;
     const Eigen::Vector3d p = pupils.apply(point.position);
-    Place place{p.head<2>(), regions.outlineWeight(p.head<2>()) * regions.facingWeight(p.z(), point.normalZ),
-                static_cast<std::uint32_t>(shares_.size()), 0};
+    Place place{p.head<2>(), coverageOf(regions, p, point), static_cast<std::uint32_t>(shares_.size()), 0};
     if (place.coverage > 0.0 && point.region) {
       addShare(regions, place.point, point.region, 1.0);
     } else if (place.coverage > 0.0 && smooth) {
@@ -41,7 +49,8 @@ TableDeformation::TableDeformation(const std::vector<DeformationPoint>& points, 
 
 void TableDeformation::addShare(const FacialRegions& regions, const Eigen::Vector2d& point, int region, double weight) {
   const double distance = (point - regions.centre(region)).norm();
-  const double trust = smoothStep((noTrust - distance) / (noTrust - fullTrust));
+  const double trust = smoothStep((noTrust - distance) / (noTrust - fullTrust)) *
+                       smoothStep((noTrustAside - std::abs(point.x())) / (noTrustAside - fullTrustAside));
   shares_.push_back({weight, weight * trust, region - 1});
 }
 

@@ -4,30 +4,37 @@
 #include <vector>
 
 #include "FacialRegions.h"
+#include "Progress.h"
 #include "PupilNormalisation.h"
 
 namespace mien {
 
-/// What a point needs to know of the region map; normals, sides and regions are optional (1, none and 0: by place).
+/// What a point needs to know of the region map; sides and regions are optional (none and 0: by place).
 struct DeformationPoint {
   Eigen::Vector3d position;  ///< in the face's own unit
-  double normalZ = 1.0;      ///< of the unit normal
   FaceSide side;
-  int region = 0;  ///< 1 .. 16: given, whatever the place
+  int region = 0;      ///< 1 .. 16: given, whatever the place
+  bool stays = false;  ///< moves with the head alone: an eyeball
 };
+
+/// How much of a table's displacement counts at a point (`place` in pupil units): 1 on the face, 0 beyond its outline,
+/// behind it (ears, neck) and for points that stay.
+double coverageOf(const FacialRegions& regions, const Eigen::Vector3d& place, const DeformationPoint& point);
 
 /// Moves the points of one face by tables; the weights of the regions are computed once.
 ///
 /// p' = p + strength c(p) sum_r w_r(p) (M_r(p) - p), with weights w of FacialRegions and c fading to 0 outside the
 /// fitted points. The length of the sum is limited to 1.5 times the largest fitted displacement, because quadratics run
 /// away where they were not fitted. A table that does not say what it was fitted to (largestDisplacement 0) is believed
-/// within 0.8 of a region's centre and fades to nothing at 1.4. z is carried along unchanged.
+/// within 0.6 of a region's centre and 1.2 of the midline, and fades to nothing at 1.1 and 2. z is carried along
+/// unchanged.
 class TableDeformation {
  public:
   static constexpr double displacementLimit = 1.5;
 
+  /// Where `progress` says stop, the points that are left get no place.
   TableDeformation(const std::vector<DeformationPoint>& points, const PupilNormalisation& pupils,
-                   const FacialRegions& regions, bool smooth);
+                   const FacialRegions& regions, bool smooth, const Progress& progress = {});
 
   std::size_t size() const { return places_.size(); }
 

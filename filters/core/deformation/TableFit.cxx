@@ -4,18 +4,10 @@
 #include <cmath>
 
 #include "FaceSides.h"
-#include "NumberText.h"
 
 namespace mien {
 
 namespace {
-
-/// The side of a marker that is one of the 68 landmarks, told by its name.
-FaceSide sideOf(const std::string& name) {
-  if (name.rfind("landmark", 0) != 0) return {};
-  const auto number = parseWholeNumber(std::string_view(name).substr(8));
-  return number && *number >= 0 && *number < 68 ? landmarkSide(static_cast<int>(*number)) : FaceSide();
-}
 
 std::string listed(const std::vector<int>& regions) {
   std::string text = regions.size() == 1 ? "region " : "regions ";
@@ -23,8 +15,10 @@ std::string listed(const std::vector<int>& regions) {
   return text;
 }
 
+/// The identity for a region without points.
 QuadraticFit fitRegion(const TableSamples& samples, int region, double noise) {
   const Eigen::Index count = std::count(samples.regions.begin(), samples.regions.end(), region);
+  if (count == 0) return {};
   PlanePoints before(count, 2), after(count, 2);
   for (std::size_t i = 0, row = 0; i < samples.regions.size(); ++i) {
     if (samples.regions[i] != region) continue;
@@ -46,13 +40,24 @@ double noiseOf(const std::array<QuadraticFit, FacialRegions::count>& regions) {
   return freedom > 0 ? std::sqrt(squares / freedom) : 0.0;
 }
 
-std::string describeFault(const TableSamples& samples) {
+std::string describeFault(const TableSamples& samples, const FitOptions& options) {
   if (!samples.before.allFinite() || !samples.after.allFinite()) return "a point is not finite; remove it";
+  if (samples.regions.empty()) return "there is no point besides the pupils; give more markers";
   std::vector<int> empty;
   for (int region = 1; region <= FacialRegions::count; ++region)
     if (std::find(samples.regions.begin(), samples.regions.end(), region) == samples.regions.end())
       empty.push_back(region);
-  return empty.empty() ? "" : "no point lies in " + listed(empty) + "; every region needs one at least, better ten";
+  return empty.empty() || (options.allowEmpty && !options.strict)
+             ? ""
+             : "no point lies in " + listed(empty) + "; every region needs one at least, better ten";
+}
+
+std::vector<int> chosenRegions(const std::array<QuadraticFit, FacialRegions::count>& regions,
+                               bool (*chosen)(const QuadraticFit&)) {
+  std::vector<int> numbers;
+  for (int region = 1; region <= FacialRegions::count; ++region)
+    if (chosen(regions[region - 1])) numbers.push_back(region);
+  return numbers;
 }
 
 }  // namespace
@@ -66,28 +71,33 @@ TableSamples samplesOf(const MarkerTable& markers, const FacialRegions& regions)
     const Marker& marker = markers.markers[i];
     samples.before.row(i) = markers.neutral.apply(marker.neutral).head<2>();
     samples.after.row(i) = markers.expression.apply(marker.expression).head<2>();
-    samples.regions.push_back(marker.region ? marker.region
-                                            : regions.nearest(samples.before.row(i), sideOf(marker.name)));
+    samples.regions.push_back(marker.region
+                                  ? marker.region
+                                  : regions.nearest(samples.before.row(i), landmarkSide(landmarkNumber(marker.name))));
   }
   return samples;
 }
 
 std::vector<int> TableFit::sparseRegions() const {
-  std::vector<int> sparse;
-  for (int region = 1; region <= FacialRegions::count; ++region)
-    if (regions[region - 1].sparse()) sparse.push_back(region);
-  return sparse;
+  return chosenRegions(regions, [](const QuadraticFit& fit) { return fit.points > 0 && fit.sparse(); });
+}
+
+std::vector<int> TableFit::emptyRegions() const {
+  return chosenRegions(regions, [](const QuadraticFit& fit) { return fit.points == 0; });
 }
 
 std::string TableFit::warning() const {
-  const std::vector<int> sparse = this->sparseRegions();
-  if (sparse.empty()) return {};
-  return listed(sparse) + (sparse.size() == 1 ? " has" : " have") +
-         " fewer than 6 independent points and lean on an affine fit; add markers there";
+  const std::vector<int> sparse = this->sparseRegions(), empty = this->emptyRegions();
+  std::string text;
+  if (!empty.empty()) text = listed(empty) + (empty.size() == 1 ? " has" : " have") + " no point and will not move";
+  if (!sparse.empty())
+    text += (text.empty() ? "" : "; ") + listed(sparse) + (sparse.size() == 1 ? " has" : " have") +
+            " fewer than 6 independent points and lean on an affine fit";
+  return text.empty() ? text : text + "; add markers there";
 }
 
-std::string TableFit::fit(const TableSamples& samples, bool strict) {
-  const std::string fault = describeFault(samples);
+std::string TableFit::fit(const TableSamples& samples, const FitOptions& options) {
+  const std::string fault = describeFault(samples, options);
   if (!fault.empty()) return fault;
   TableFit result;
   for (int i = 0; i < FacialRegions::count; ++i) result.regions[i] = fitRegion(samples, i + 1, 0.0);
@@ -95,13 +105,13 @@ std::string TableFit::fit(const TableSamples& samples, bool strict) {
   double squares = 0.0;
   for (int i = 0; i < FacialRegions::count; ++i) {
     QuadraticFit& region = result.regions[i];
-    if (region.weak()) region = fitRegion(samples, i + 1, result.noise);
+    if (region.weak() && region.points > 0) region = fitRegion(samples, i + 1, result.noise);
     result.table.maps[i] = region.map;
     result.table.largestDisplacement = std::max(result.table.largestDisplacement, region.largestDisplacement);
     squares += region.points * region.rms * region.rms;
   }
   result.rms = std::sqrt(squares / double(samples.regions.size()));
-  if (strict && !result.sparseRegions().empty()) return result.warning();
+  if (options.strict && !result.sparseRegions().empty()) return result.warning();
   *this = result;
   return {};
 }

@@ -21,6 +21,12 @@ struct TableSamples {
 /// and 40, 41, 46, 47 to the lower.
 TableSamples samplesOf(const MarkerTable& markers, const FacialRegions& regions);
 
+/// What a fit asks of its points.
+struct FitOptions {
+  bool strict = false;      ///< refuse regions with fewer than six independent points
+  bool allowEmpty = false;  ///< leave regions without points the identity, as of the 68 landmarks the forehead's
+};
+
 /// A table fitted to one recording.
 struct TableFit {
   DeformationTable table;
@@ -28,11 +34,12 @@ struct TableFit {
   double rms = 0.0;    ///< over all points, pupil units
   double noise = 0.0;  ///< standard deviation of a coordinate about the maps, pupil units
 
-  std::vector<int> sparseRegions() const;  ///< regions with fewer than six independent points
-  std::string warning() const;             ///< one sentence that names the sparse regions, or nothing
+  std::vector<int> sparseRegions() const;  ///< regions with points, but fewer than six independent ones
+  std::vector<int> emptyRegions() const;   ///< regions without points
+  std::string warning() const;             ///< one sentence that names the empty and the sparse regions, or nothing
 
   /// @return nothing, or one sentence that names the regions without points, or (strict) the sparse ones
-  std::string fit(const TableSamples& samples, bool strict = false);
+  std::string fit(const TableSamples& samples, const FitOptions& options = {});
 };
 
 }  // namespace mien

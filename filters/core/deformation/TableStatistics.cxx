@@ -15,17 +15,21 @@ constexpr int regionCount = DeformationTable::regionCount;
 DeformationTable meanTable(const std::vector<DeformationTable>& tables) {
   const double count = double(tables.size());
   DeformationTable mean;
-  mean.deviations.emplace();
+  if (tables.size() > 1) mean.deviations.emplace();
   for (int i = 0; i < regionCount; ++i) {
     Coefficients sum = Coefficients::Zero(), squares = Coefficients::Zero();
     for (const DeformationTable& table : tables) sum += table.maps[i].coefficients;
     mean.maps[i].coefficients = sum / count;
     for (const DeformationTable& table : tables)
       squares += (table.maps[i].coefficients - mean.maps[i].coefficients).cwiseAbs2();
-    mean.deviations->at(i) = (squares / std::max(count - 1.0, 1.0)).cwiseSqrt();
+    if (mean.deviations) mean.deviations->at(i) = (squares / (count - 1.0)).cwiseSqrt();
   }
-  for (const DeformationTable& table : tables)
+  bool known = true;
+  for (const DeformationTable& table : tables) {
     mean.largestDisplacement = std::max(mean.largestDisplacement, table.largestDisplacement);
+    known = known && table.largestDisplacement > 0.0;
+  }
+  if (!known) mean.largestDisplacement = 0.0;
   return mean;
 }
 

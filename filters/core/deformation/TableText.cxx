@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "CommaText.h"
+#include "LineReader.h"
 #include "NumberText.h"
 
 namespace mien {
@@ -14,10 +15,6 @@ namespace {
 
 using Cells = std::vector<std::string>;
 constexpr int coefficientCount = 12;
-
-std::string coefficientName(int index) {
-  return (index < 6 ? "a" : "b") + std::to_string(index % 6 + 1);
-}
 
 struct Columns {
   std::size_t count = 0;
@@ -86,31 +83,19 @@ struct Rows {
   }
 };
 
-bool nextLine(std::istringstream& stream, std::string& line, int& number) {
-  while (std::getline(stream, line)) {
-    ++number;
-    if (number == 1 && line.rfind("\xEF\xBB\xBF", 0) == 0) line.erase(0, 3);
-    const auto first = line.find_first_not_of(" \t\r,");
-    if (first != std::string::npos && line[first] != '#') return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 std::string parseTable(const std::string& text, DeformationTable& table) {
-  std::istringstream stream(text);
-  std::string line;
-  int number = 0;
-  if (!nextLine(stream, line, number)) return "1: the file is empty; give a header and 16 rows";
+  LineReader lines(text);
+  if (!lines.next()) return "1: the file is empty; give a header and 16 rows";
   Rows rows;
-  std::string fault = rows.columns.find(splitAtCommas(line));
+  std::string fault = rows.columns.find(splitAtCommas(lines.line()));
   if (rows.columns.hasDeviations) rows.table.deviations.emplace();
-  while (fault.empty() && nextLine(stream, line, number)) fault = rows.add(splitAtCommas(line));
+  while (fault.empty() && lines.next()) fault = rows.add(splitAtCommas(lines.line()));
   const auto missing = std::find(rows.seen.begin(), rows.seen.end(), false);
   if (fault.empty() && missing != rows.seen.end())
     fault = "region " + std::to_string(missing - rows.seen.begin() + 1) + " is missing; a table has 16";
-  if (!fault.empty()) return std::to_string(number) + ": " + fault;
+  if (!fault.empty()) return std::to_string(lines.number()) + ": " + fault;
   table = rows.table;
   return {};
 }

@@ -12,12 +12,6 @@ namespace {
 
 constexpr double midlineTolerance = 1e-9;  // radians
 
-std::string text(double value) {
-  std::string result;
-  appendNumber(result, value);
-  return result;
-}
-
 /// 1 at 0, 0 from 1 on, smooth.
 double fallOff(double t) {
   return std::abs(t) < 1.0 ? std::pow(std::cos(0.5 * M_PI * t), 2) : 0.0;
@@ -106,12 +100,12 @@ bool CurveEdit::operator==(const CurveEdit& other) const {
 std::string describeFault(const CurveEdit& edit, int pointsPerCurve) {
   if (edit.curve < 0 || edit.curve >= FaceLayout::curveCount)
     return "there is no such curve; they are C1 .. C28 and C22'";
-  if (!(edit.v >= 0.0 && edit.v < 2.0 * M_PI + 1e-12)) return "v = " + text(edit.v) + " is outside 0 .. 2 pi";
+  if (!(edit.v >= 0.0 && edit.v < 2.0 * M_PI + 1e-12)) return "v = " + numberText(edit.v) + " is outside 0 .. 2 pi";
   if (!edit.move.allFinite() || edit.move.cwiseAbs().maxCoeff() > CurveEdit::largestMove)
-    return "a point moves by at most " + text(CurveEdit::largestMove) + " mm along each axis";
+    return "a point moves by at most " + numberText(CurveEdit::largestMove) + " mm along each axis";
   const double narrowest = 4.0 * M_PI / pointsPerCurve;
   if (!(edit.width >= narrowest - 1e-9 && edit.width <= M_PI + 1e-9))
-    return "width " + text(edit.width * 180.0 / M_PI) + " is outside " + text(narrowest * 180.0 / M_PI) +
+    return "width " + numberText(edit.width * 180.0 / M_PI) + " is outside " + numberText(narrowest * 180.0 / M_PI) +
            " .. 180 degrees (two points of the curve .. half of it)";
   if (edit.spread < 0 || edit.spread > CurveEdit::largestSpread)
     return "spread " + std::to_string(edit.spread) + " is outside 0 .. " + std::to_string(CurveEdit::largestSpread) +

@@ -47,6 +47,17 @@ void appendNumber(std::string& text, double number) {
   text.append(digits, result.ptr);
 }
 
+std::string numberText(double number) {
+  std::string text;
+  appendNumber(text, number);
+  return text;
+}
+
+std::string roundedText(double number) {
+  const double step = std::pow(10.0, std::floor(std::log10(std::max(std::abs(number), 1e-12))) - 2.0);
+  return numberText(std::round(number / step) * step).substr(0, 10);
+}
+
 void splitAtBlanks(std::string_view line, std::vector<std::string_view>& parts) {
   parts.clear();
   for (auto begin = std::find_if_not(line.begin(), line.end(), isBlank); begin != line.end();) {

@@ -17,6 +17,12 @@ std::optional<std::int64_t> parseWholeNumber(std::string_view text);
 /// Appends the shortest text that parseNumber turns back into exactly this finite number.
 void appendNumber(std::string& text, double number);
 
+/// That text alone.
+std::string numberText(double number);
+
+/// The number to three significant digits, for messages.
+std::string roundedText(double number);
+
 /// The parts of a line between blanks and tabs, in `parts`, whose memory is used again.
 void splitAtBlanks(std::string_view line, std::vector<std::string_view>& parts);
 
