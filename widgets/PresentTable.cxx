@@ -10,6 +10,7 @@
 
 #include "BackgroundTask.h"
 #include "DefaultRegions.h"
+#include "DeformationText.h"
 #include "FAPFrame.h"
 #include "FDTData.h"
 #include "FaceModel.h"
@@ -20,8 +21,6 @@
 namespace mien {
 
 namespace {
-
-constexpr double leastMovement = 0.01;  // pupil units, 0.3 mm: below it the nearest expression means nothing
 
 std::vector<DeformationTable> means() {
   std::vector<DeformationTable> tables;
@@ -61,7 +60,7 @@ vtkSmartPointer<vtkStructuredGrid> copyOf(vtkStructuredGrid* grid) {
 }  // namespace
 
 bool PresentTable::Fit::moves() const {
-  return table.largestDisplacement >= leastMovement;
+  return table.largestDisplacement >= leastRecognisedMovement;
 }
 
 PresentTable::PresentTable(FaceModel* model, QObject* parent)
@@ -87,7 +86,9 @@ void PresentTable::pin() {
   std::map<int, double> faps;
   for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
     if (const double value = model_->shownFAP(fap); value != 0.0) faps[fap] = value;
-  pinned_ = faps;
+  pinned_.emplace();
+  pinned_->fapValues = faps;
+  pinned_->deformation = model_->state().deformation;
   request();
 }
 
@@ -96,10 +97,25 @@ void PresentTable::unpin() {
   request();
 }
 
-void PresentTable::request() {
+FaceState PresentTable::neutralState() const {
   FaceState state = FaceMotion::neutralOf(model_->state());
-  state.fapValues = neutralFAPs();
-  neutral_.setState(state);
+  if (pinned_) {
+    state.fapValues = pinned_->fapValues;
+    state.deformation = pinned_->deformation;
+  }
+  return state;
+}
+
+QString PresentTable::neutralText() const {
+  if (!pinned_) return tr("the face at rest");
+  QStringList parts;
+  if (!pinned_->deformation.table.empty()) parts << deformationText(pinned_->deformation);
+  if (!pinned_->fapValues.empty()) parts << tr("%n FAPs", nullptr, static_cast<int>(pinned_->fapValues.size()));
+  return parts.isEmpty() ? tr("pinned at rest") : tr("pinned: %1").arg(parts.join(", "));
+}
+
+void PresentTable::request() {
+  neutral_.setState(neutralState());
   const std::string fault = neutral_.update();
   if (!fault.empty()) {
     fit_.emplace();

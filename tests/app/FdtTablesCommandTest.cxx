@@ -78,7 +78,7 @@ TEST(FdtBlendCommand, WeightsThatSumToOneMix) {
   EXPECT_LT(tableDifference(tableFrom(folder.file("a.csv")), mixed), 1e-15);
   ASSERT_EQ(run({"blend", "joy", "-o", folder.file("b.csv")}).exitCode, 0);
   EXPECT_TRUE(tableFrom(folder.file("b.csv")).deviations);
-  EXPECT_EQ(run({"blend", "joy:11", "-o", folder.file("c.csv")}).exitCode, 2);
+  EXPECT_EQ(run({"blend", "joy:2.5", "-o", folder.file("c.csv")}).exitCode, 2);
   EXPECT_EQ(run({"blend", "joy"}).exitCode, 2);
 }
 

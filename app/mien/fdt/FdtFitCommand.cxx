@@ -47,6 +47,7 @@ FittedTable fitPair(const Options& options, const FacialRegions& regions) {
   const std::string fault = markers.join(readPoints(options.neutral, options.reading),
                                          readPoints(options.expression, options.reading), options.reading.markers());
   if (!fault.empty()) throw FileFailure(options.source() + ": line " + fault);
+  takeOutGivenPupils(markers, options.reading, options.source());
   return fitMarkers(markers, regions, options.strict, options.source());
 }
 
