@@ -3,7 +3,8 @@
 #include <cmath>
 #include <iostream>
 
-#include "FAPTable.h"
+#include "AnimationTextFile.h"
+#include "FAPList.h"
 #include "FacePipeline.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
@@ -14,23 +15,16 @@ namespace {
 
 constexpr double visiblePush = 0.5;  ///< mm; less is what curves near a moving lip or lid do in any lively face
 
-std::string nameList(const std::vector<int>& faps) {
-  std::string names;
-  for (const int fap : faps)
-    names += (names.empty() ? "" : ", ") + std::to_string(fap) + " " + std::string(fapDefinition(fap).name);
-  return names;
-}
-
 }  // namespace
 
 void printRemarks(const FacePipeline& pipeline) {
-  const std::string file = pipeline.state().fapFile == "-" ? "standard input" : pipeline.state().fapFile;
+  const std::string file = shownAnimationName(pipeline.state().fapFile);
   if (!file.empty())
     for (const std::string& warning : pipeline.frames()->GetWarnings()) std::cerr << "mien: " << warning << "\n";
   const std::vector<int> ignored = pipeline.animation()->GetIgnoredFAPs();
   if (!ignored.empty())
     std::cerr << "mien: " << (file.empty() ? "" : file + ": ")
-              << "these FAPs move nothing on this face: " << nameList(ignored) << "\n";
+              << "these FAPs move nothing on this face: " << listOfFAPs(ignored) << "\n";
   const double pushed = pipeline.animation()->GetLargestPushed();
   if (pushed >= visiblePush)
     std::cerr << "mien: " << (file.empty() ? "" : file + ": ")

@@ -22,7 +22,7 @@ namespace {
 std::string readSequence(const std::string& name, mien::FAPSequence& sequence, std::string& format) {
   if (name.empty()) return "there is no file name; set one with SetFileName";
   std::string text;
-  const std::string shown = name == "-" ? "standard input" : name;
+  const std::string shown = mien::shownAnimationName(name);
   const std::string fault = mien::readAnimationText(name, text);
   if (!fault.empty()) return shown + ": " + fault;
   const mien::FacialActionMap& map = mien::defaultFacialActions();
@@ -139,7 +139,8 @@ std::string vtkFAPReader::GetVersion() const {
 std::vector<std::string> vtkFAPReader::GetWarnings() const {
   std::vector<std::string> warnings;
   for (const mien::FAPWarning& warning : this->Sequence->warnings)
-    warnings.push_back(this->Loaded.Name + ":" + std::to_string(warning.line) + ": " + warning.message);
+    warnings.push_back(mien::shownAnimationName(this->Loaded.Name) + ":" + std::to_string(warning.line) + ": " +
+                       warning.message);
   return warnings;
 }
 

@@ -171,7 +171,22 @@ int MotionBasis::groupNumber(const std::string& name) {
   return number;
 }
 
-/// Adds the displacement field of one part to the motion; `slopes` are mm for one FAP value, a row per interval.
+/// Leaves out the samples that no interval moves: from a row for every sample to one for every sample moved.
+void MotionBasis::keepMovedRows(FAPMotion& motion) {
+  const Eigen::Index samples = motion.perValue.front().rows();
+  for (Eigen::Index row = 0; row < samples; ++row) {
+    const auto moves = [row](const ClosedCurves::Points& field) { return !field.row(row).isZero(0.0); };
+    if (std::any_of(motion.perValue.begin(), motion.perValue.end(), moves))
+      motion.rows.push_back(static_cast<int>(row));
+  }
+  for (ClosedCurves::Points& field : motion.perValue) {
+    ClosedCurves::Points kept(motion.rows.size(), 3);
+    for (size_t i = 0; i < motion.rows.size(); ++i) kept.row(i) = field.row(motion.rows[i]);
+    field = std::move(kept);
+  }
+}
+
+/// Adds the displacements of one part to those of every sample; `slopes` are mm for one FAP value, a row per interval.
 void MotionBasis::addPart(const BoundPart& part, const ClosedCurves& curves, const ClosedCurves::Points& slopes,
                           FAPMotion& motion) {
   const int k = curves.pointsPerCurve;
@@ -181,12 +196,7 @@ void MotionBasis::addPart(const BoundPart& part, const ClosedCurves& curves, con
     weights_.try_emplace({motion.fap, curve}, Eigen::VectorXd::Zero(k)).first->second += weights;
     for (int j = 0; j < k; ++j) {
       if (weights[j] == 0.0) continue;
-      motion.rows.push_back(curve * k + j);
-      for (int i = 0; i < slopes.rows(); ++i) {
-        ClosedCurves::Points& field = motion.perValue[i];
-        field.conservativeResize(motion.rows.size(), 3);
-        field.row(field.rows() - 1) = weights[j] * slopes.row(i);
-      }
+      for (int i = 0; i < slopes.rows(); ++i) motion.perValue[i].row(curve * k + j) += weights[j] * slopes.row(i);
       if (motion.group >= 0 && part.moves(curve)) pointsOfGroup_[motion.group].push_back(curve * k + j);
     }
   }
@@ -196,13 +206,14 @@ void MotionBasis::buildMotion(const AnimationEntry& entry, const BoundParts& par
                               double unit) {
   const int intervals = entry.intervals.intervals();
   FAPMotion motion{entry.fap, groupNumber(entry.group), entry.intervals, {}, {}, {}};
-  motion.perValue.resize(intervals);
+  motion.perValue.assign(intervals, ClosedCurves::Points::Zero(curves.points.rows(), 3));
   for (const BoundPart& part : parts) {
     if (part.entry != &entry) continue;
     ClosedCurves::Points slopes(intervals, 3);
     for (int i = 0; i < intervals; ++i) slopes.row(i) = unit * part.part->slopes[i].transpose();
     addPart(part, curves, slopes, motion);
   }
+  keepMovedRows(motion);
   if (!motion.rows.empty()) motions_.push_back(std::move(motion));
 }
 
