@@ -13,6 +13,7 @@
 #include "DeformationText.h"
 #include "FaceModel.h"
 #include "NamedTables.h"
+#include "TableTitle.h"
 #include "ValueSlider.h"
 
 namespace mien {

@@ -4,13 +4,12 @@
 #include <QFileInfo>
 
 #include "FaceState.h"
-#include "NamedTables.h"
+#include "TableTitle.h"
 
 namespace mien {
 
 QString shortTableText(const std::string& table) {
   const QString title = QString::fromStdString(tableTitle(table));
-  if (isInlineTable(table)) return title.section(':', 0, 0);
   return QFileInfo::exists(title) ? QFileInfo(title).completeBaseName() : title;
 }
 

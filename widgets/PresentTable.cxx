@@ -10,11 +10,11 @@
 
 #include "BackgroundTask.h"
 #include "DefaultRegions.h"
-#include "DeformationText.h"
 #include "FAPFrame.h"
 #include "FDTData.h"
 #include "FaceModel.h"
 #include "FaceMotion.h"
+#include "FaceNote.h"
 #include "NamedTables.h"
 #include "PipelineErrors.h"
 
@@ -81,14 +81,16 @@ const std::vector<std::string>& PresentTable::expressions() {
   return names;
 }
 
-/// What expressions and an animation add is kept as FAPs, so that it stays when these go on.
+/// The frame of an animation is kept as FAPs, so that it stays when the animation goes on.
 void PresentTable::pin() {
-  std::map<int, double> faps;
-  for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
-    if (const double value = model_->shownFAP(fap); value != 0.0) faps[fap] = value;
-  pinned_.emplace();
-  pinned_->fapValues = faps;
-  pinned_->deformation = model_->state().deformation;
+  pinned_ = model_->state();
+  if (!pinned_->fapFile.empty() && model_->frameCount() > 0) {
+    const double time = model_->framePosition() / model_->motion().framesPerSecond;
+    const FAPFrame frame = model_->motion().frameAtTime(time, model_->interpolates());
+    for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
+      if (frame.value(fap) != 0.0) pinned_->fapValues[fap] += frame.value(fap);
+  }
+  pinned_->fapFile.clear();
   request();
 }
 
@@ -101,6 +103,8 @@ FaceState PresentTable::neutralState() const {
   FaceState state = FaceMotion::neutralOf(model_->state());
   if (pinned_) {
     state.fapValues = pinned_->fapValues;
+    state.expressions = pinned_->expressions;
+    state.visemes = pinned_->visemes;
     state.deformation = pinned_->deformation;
   }
   return state;
@@ -108,10 +112,8 @@ FaceState PresentTable::neutralState() const {
 
 QString PresentTable::neutralText() const {
   if (!pinned_) return tr("the face at rest");
-  QStringList parts;
-  if (!pinned_->deformation.table.empty()) parts << deformationText(pinned_->deformation);
-  if (!pinned_->fapValues.empty()) parts << tr("%n FAPs", nullptr, static_cast<int>(pinned_->fapValues.size()));
-  return parts.isEmpty() ? tr("pinned at rest") : tr("pinned: %1").arg(parts.join(", "));
+  const std::string motion = motionText(*pinned_);
+  return motion.empty() ? tr("pinned at rest") : tr("pinned: %1").arg(QString::fromStdString(motion));
 }
 
 void PresentTable::request() {

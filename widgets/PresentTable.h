@@ -48,7 +48,7 @@ class PresentTable : public QObject {
   /// A, with the present surface and mesh.
   FaceState neutralState() const;
 
-  /// A in words: "the face at rest", "pinned: joy at 200 %, 12 FAPs".
+  /// A in words: "the face at rest", "pinned: deformation table joy at 2".
   QString neutralText() const;
 
   void request();  ///< fits anew; the last request of several wins

@@ -13,6 +13,7 @@
 #include "SurpriseTable.h"
 #include "TableList.h"
 #include "TableText.h"
+#include "TableTitle.h"
 #include "TextFileReader.h"
 
 namespace mien {
@@ -76,16 +77,6 @@ const DeformationTable* namedTable(const std::string& name) {
   const auto found =
       std::find_if(tables().begin(), tables().end(), [&](const auto& table) { return table.first == name; });
   return found == tables().end() ? nullptr : &found->second;
-}
-
-bool isInlineTable(const std::string& text) {
-  return text.find('\n') != std::string::npos;
-}
-
-std::string tableTitle(const std::string& text) {
-  if (!isInlineTable(text)) return text;
-  const auto end = text.find('\n');
-  return text.rfind("# ", 0) == 0 ? text.substr(2, end - 2) : "a table of its own";
 }
 
 std::string readNamedTable(const std::string& nameOrFile, DeformationTable& table) {

@@ -15,12 +15,6 @@ MIENDEFORMATION_EXPORT const std::vector<std::string>& tableNames();
 /// The compiled in table of a name, or nothing.
 MIENDEFORMATION_EXPORT const DeformationTable* namedTable(const std::string& name);
 
-/// Whether a text is not the name of a table but the table itself (TableText.h): then it has several lines.
-MIENDEFORMATION_EXPORT bool isInlineTable(const std::string& text);
-
-/// What to call a table that is read with this text: its names and weights; of a table itself the first comment line.
-MIENDEFORMATION_EXPORT std::string tableTitle(const std::string& text);
-
 /// A table by its compiled in name or from a file, as text (TableText.h) or packed (PackedTable.h); the sum of several
 /// with weights (TableList.h), "joy:0.5,fear:0.5"; or the text of a table itself.
 /// @return nothing, or one sentence that names file and line
