@@ -47,7 +47,7 @@ TEST(FatCommand, TellsWhatTheDefaultTableHolds) {
       runMien({"fat", "check", std::string(MIEN_DATA_DIR) + "/animation/animation_table.json", "--json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   const auto table = nlohmann::json::parse(outcome.output);
-  EXPECT_EQ(table["version"], 2);
+  EXPECT_EQ(table["version"], 3);
   EXPECT_EQ(table["faps"].size(), 46u);
   EXPECT_TRUE(table["faps_missing"].empty());
   EXPECT_TRUE(table["left_out"].empty());

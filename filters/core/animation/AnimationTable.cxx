@@ -98,9 +98,15 @@ std::vector<Eigen::Vector3d> parseSlopes(const Json& part, const AnimationEntry&
   return slopes;
 }
 
+FollowerShape parseFollow(const std::string& name) {
+  if (name == "linear") return FollowerShape::Linear;
+  if (name == "smooth") return FollowerShape::Smooth;
+  refuse("\"follow\" is \"" + name + "\"; it must be linear or smooth");
+}
+
 AnimationPart parsePart(const Json& json, const AnimationEntry& entry) {
   AnimationPart part;
-  refuseUnknownKeys(json, {"curves", "above", "below", "slopes", "profile"});
+  refuseUnknownKeys(json, {"curves", "above", "below", "follow", "slopes", "profile"});
   for (const Json& curve : json.at("curves")) part.curves.push_back(parseCurve(curve));
   if (part.curves.empty()) refuse("a part lists no curves");
   std::sort(part.curves.begin(), part.curves.end());
@@ -109,6 +115,7 @@ AnimationPart parsePart(const Json& json, const AnimationEntry& entry) {
   if (json.contains("below")) part.below = parseCurve(json["below"]);
   if (part.above >= part.curves.front()) refuse("\"above\" must name a curve above those moved");
   if (part.below >= 0 && part.below <= part.curves.back()) refuse("\"below\" must name a curve below those moved");
+  part.follow = parseFollow(json.value("follow", std::string("linear")));
   part.profile = parseProfile(json.at("profile"));
   part.slopes = parseSlopes(json, entry);
   return part;

@@ -41,12 +41,13 @@ bool movesOneSide(const AnimationPart& part, const std::vector<ContactPair>& con
   return std::any_of(contacts.begin(), contacts.end(), [&](const auto& c) { return has(c.upper) != has(c.lower); });
 }
 
-/// How far a curve between a moved one and a resting one follows: linear in its height, so that the curves
-/// between them keep their order however far the one moves towards the other.
-double followerShare(const ClosedCurves& curves, int moved, int resting, int curve, int j) {
+/// How far a curve between a moved one and a resting one follows, by its height.
+double followerShare(const ClosedCurves& curves, FollowerShape shape, int moved, int resting, int curve, int j) {
   const double from = curves.curve(resting)(j, 1), to = curves.curve(moved)(j, 1);
-  if (std::abs(to - from) < 1e-6) return double(curve - resting) / (moved - resting);
-  return std::clamp((curves.curve(curve)(j, 1) - from) / (to - from), 0.0, 1.0);
+  const bool apart = std::abs(to - from) >= 1e-6;
+  const double share = apart ? std::clamp((curves.curve(curve)(j, 1) - from) / (to - from), 0.0, 1.0)
+                             : double(curve - resting) / (moved - resting);
+  return shape == FollowerShape::Smooth ? share * share * (3.0 - 2.0 * share) : share;
 }
 
 /// The weights of a part on any curve: its own, those that follow, or 0.
@@ -57,8 +58,8 @@ Eigen::VectorXd weightsOnCurve(const AnimationPart& part, const Eigen::VectorXd&
   const bool follows = (curve < first && part.above >= 0 && curve > part.above) || (curve > last && curve < part.below);
   Eigen::VectorXd result = Eigen::VectorXd::Zero(weights.size());
   for (int j = 0; follows && j < weights.size(); ++j)
-    result[j] = weights[j] * (curve < first ? followerShare(curves, first, part.above, curve, j)
-                                            : followerShare(curves, last, part.below, curve, j));
+    result[j] = weights[j] * (curve < first ? followerShare(curves, part.follow, first, part.above, curve, j)
+                                            : followerShare(curves, part.follow, last, part.below, curve, j));
   return result;
 }
 
