@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "AnimationData.h"
 #include "AnimationText.h"
@@ -99,8 +100,11 @@ void changeRate(double rate, FAPSequence& sequence) {
   if (rate == 0.0 || rate == sequence.framesPerSecond) return;
   if (sequence.rateIsAssumed)
     sequence.framesPerSecond = rate;
+  else if (std::optional<FAPSequence> mixed = resampled(sequence, rate))
+    sequence = std::move(*mixed);
   else
-    sequence = resampled(sequence, rate);
+    throw ValueFailure("--fps " + shortestText(rate) + " makes more than a million frames of " +
+                       shortestText(sequence.duration()) + " s; give a lower rate");
 }
 
 /// A table of FAPs and a file of Live Link Face tell when an animation began; others have no place for it.

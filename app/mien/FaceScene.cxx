@@ -4,9 +4,12 @@
 
 #include "ColorMap.h"
 #include "FaceCamera.h"
+#include "FaceMotion.h"
+#include "FaceOptions.h"
 #include "FacePipeline.h"
 #include "FaceTexture.h"
 #include "Failure.h"
+#include "OutermostPoints.h"
 #include "Picture.h"
 #include "SmoothCurves.h"
 #include "vtkActor.h"
@@ -205,11 +208,34 @@ void FaceScene::addColors() {
   renderer_->AddViewProp(bar_);
 }
 
-void FaceScene::placeCamera(vtkPolyData* visible) {
+FaceFrame FaceScene::frame() const {
   FaceFrame frame;
   frame.aspect = static_cast<double>(style_.width) / style_.height;
   frame.freeShare = style_.colorBy.empty() ? 1.0 : 1.0 - barShare;
-  placeFaceCamera(visible, style_.view, frame, renderer_->GetActiveCamera());
+  return frame;
+}
+
+void FaceScene::placeCamera(vtkPolyData* visible) {
+  placeFaceCamera(visible, style_.view, frame(), renderer_->GetActiveCamera());
+}
+
+void FaceScene::placeCamera(vtkPolyData* neutral, vtkPolyData* visible) {
+  placeCamera(neutral);
+  if (isWithinFrame(visible, style_.view, frame(), renderer_->GetActiveCamera())) return;
+  OutermostPoints both(style_.view);
+  both.add(neutral->GetPoints());
+  both.add(visible->GetPoints());
+  placeCamera(both.points());
+}
+
+vtkSmartPointer<vtkPolyData> neutralSurface(FacePipeline& pipeline) {
+  const FaceState state = pipeline.state();
+  pipeline.setState(FaceMotion::neutralOf(state));
+  updateOrThrow(pipeline);
+  const auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(pipeline.surface()->GetOutputDataObject(0));
+  pipeline.setState(state);
+  return copy;
 }
 
 vtkSmartPointer<vtkImageData> FaceScene::render() {

@@ -38,7 +38,7 @@ class MIENANIMATION_EXPORT FacePipeline {
   vtkAlgorithm* curves() const;       ///< vtkPolyData, the boundary curves as animated, from which the surface is made
   vtkAlgorithm* shownCurves() const;  ///< the same as the table leaves them
   vtkPDEFaceFilter* face() const;     ///< vtkStructuredGrid with the mouth slit blanked, before any table
-  vtkStructuredGrid* grid() const;    ///< the same as the table leaves it; brought up to date by update()
+  vtkStructuredGrid* grid() const;    ///< the same as the table leaves it; brought up to date by update(), updateGrid()
   vtkAlgorithm* surface()
       const;  ///< vtkPolyData for mappers, locators and writers: without the slit; wound inwards as the grid
 
@@ -54,6 +54,9 @@ class MIENANIMATION_EXPORT FacePipeline {
 
   /// Brings the curves up to date, animated and shown; the first error on the way as one sentence, or nothing.
   std::string updateCurves();
+
+  /// Brings the grid up to date but not the polygons of surface(); the first error on the way, or nothing.
+  std::string updateGrid();
 
   /// Brings the surface and the shown curves up to date; the first error on the way as one sentence, or nothing.
   std::string update();

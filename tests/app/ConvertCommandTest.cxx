@@ -78,6 +78,15 @@ TEST(ConvertCommand, StandardInputAndOutputArePipes) {
   EXPECT_EQ(outcome.errors, "");
 }
 
+TEST(ConvertCommand, ARateThatMakesTooManyFramesIsRefused) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runMien({"convert", std::string(MIEN_DATA_DIR) + "/animation/demo.fap", "--fps", "100000",
+                                   "-o", folder.file("a.fap")});
+  EXPECT_EQ(outcome.exitCode, 2);
+  EXPECT_NE(outcome.errors.find("a million frames"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(entriesIn(folder.file("")), 0);
+}
+
 TEST(ConvertCommand, TheInputIsNeverReplaced) {
   const TemporaryFolder folder;
   writeTextFile(folder.file("take.csv"), table);

@@ -109,10 +109,17 @@ TEST(FrameTimes, TimeThatGoesBackOrJumpsFarIsRefused) {
 TEST(FrameTimes, AnotherRateKeepsTheMotion) {
   FAPSequence sequence = linearFrames(at({0.0, 0.1, 0.2, 0.3}));
   sequence.framesPerSecond = 10.0;
-  const FAPSequence fine = resampled(sequence, 40.0);
+  const FAPSequence fine = resampled(sequence, 40.0).value();
   ASSERT_EQ(fine.frames.size(), 13u);
   for (int i = 0; i < 13; ++i) EXPECT_NEAR(fine.frames[i].value(3), 100.0 * i / 40.0, 1e-9);
   EXPECT_DOUBLE_EQ(fine.duration(), sequence.duration());
+}
+
+TEST(FrameTimes, MoreThanAMillionFramesAreNotMadeAndNotCut) {
+  FAPSequence sequence = linearFrames(at({0.0, 0.1, 0.2, 0.3}));
+  sequence.framesPerSecond = 0.01;  // 300 s
+  EXPECT_EQ(resampled(sequence, 3333.0)->frames.size(), 999901u);
+  EXPECT_FALSE(resampled(sequence, 3334.0).has_value());
 }
 
 TEST(TimeCode, ReadsWhatCamerasWrite) {

@@ -34,6 +34,7 @@ struct FAPSequence {
 
   FAPMask mask(std::size_t index) const;  ///< what this frame sets: by its mask, or by not being 0
   std::vector<int> fapsUsed() const;      ///< the FAPs that at least one frame sets, ascending
+  std::vector<int> fapsMoved() const;     ///< those that at least one frame gives a value other than 0
 
   double timeOfFrame(std::size_t index) const { return index / framesPerSecond; }  ///< s
   double duration() const;                                                         ///< s, time of the last frame

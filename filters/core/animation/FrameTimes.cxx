@@ -199,12 +199,13 @@ std::string describeAssumedRate(bool hasTime) {
                  : "there is no time; 25 frames per second are assumed";
 }
 
-FAPSequence resampled(const FAPSequence& sequence, double framesPerSecond) {
+std::optional<FAPSequence> resampled(const FAPSequence& sequence, double framesPerSecond) {
+  const double count = std::floor(sequence.duration() * framesPerSecond + 1e-6) + 1.0;
+  if (!(count <= mostFrames)) return std::nullopt;
   FAPSequence result = sequence;
   result.framesPerSecond = framesPerSecond;
   result.rateIsAssumed = false;
   result.frames.clear();
-  const double count = std::min(std::floor(sequence.duration() * framesPerSecond + 1e-6) + 1.0, mostFrames);
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     result.frames.push_back(sequence.frameAtTime(i / framesPerSecond, true));
     result.frames.back().number = static_cast<double>(i);

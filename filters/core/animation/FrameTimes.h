@@ -29,7 +29,8 @@ struct FrameTimes {
 /// Says that 25 frames per second are assumed, as there is no time, or too little of it.
 std::string describeAssumedRate(bool hasTime);
 
-/// The animation at another rate, from its first frame to its last, mixed from the frames around each moment.
-FAPSequence resampled(const FAPSequence& sequence, double framesPerSecond);
+/// The animation at another rate, from its first frame to its last, mixed from the frames around each moment; nothing
+/// when that were more than a million frames.
+std::optional<FAPSequence> resampled(const FAPSequence& sequence, double framesPerSecond);
 
 }  // namespace mien
