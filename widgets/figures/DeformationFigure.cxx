@@ -53,10 +53,12 @@ PlaneDrawing regionDrawing(const FacialRegions& regions, const DeformationFigure
 }
 
 void addArrow(PlaneDrawing& drawing, const QPointF& at, const QPointF& move) {
+  QPolygonF line;
+  line << at << at + move;
   if (std::hypot(move.x(), move.y()) < least)
     drawing.marks.push_back({at, 0.3, {arrowColor, 0.1, false, arrowColor}});
   else
-    drawing.lines.push_back({QPolygonF({at, at + move}), {arrowColor, 0.45}, false, true});
+    drawing.lines.push_back({line, {arrowColor, 0.45}, false, true});
 }
 
 /// 1, 2 or 5 times a power of ten that is drawn between 0.4 and 1 pupil units long.
