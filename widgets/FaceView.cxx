@@ -1,6 +1,8 @@
 #include "FaceView.h"
 
 #include <vtkActor.h>
+#include <vtkAlgorithm.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -35,6 +37,11 @@ FaceView::FaceView(FaceModel* model, QWidget* parent) : RenderView(model, parent
       tr("Drag to turn, wheel or right button to zoom, Shift and drag to move, double click to see the whole face"));
   addSurface();
   dress();
+  const auto followMouth = [this, model] {
+    mouth_.follow(vtkPolyData::SafeDownCast(model->pipeline().curves()->GetOutputDataObject(0)));
+  };
+  connect(model, &FaceModel::updated, this, followMouth);
+  followMouth();
 }
 
 FaceView::~FaceView() = default;
@@ -68,6 +75,7 @@ void FaceView::dress() {
 
 void FaceView::setMesh(Mesh mesh) {
   mesh_ = mesh;
+  mouth_.setVisible(mesh_ != Mesh::Wireframe);
   dress();
   redraw();
 }

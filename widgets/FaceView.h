@@ -1,5 +1,6 @@
 #pragma once
 
+#include "MouthActor.h"
 #include "RenderView.h"
 
 class vtkActor;
@@ -34,6 +35,7 @@ class FaceView : public RenderView {
 
   vtkNew<vtkReverseSense> outwards_;
   vtkNew<vtkActor> surface_;
+  MouthActor mouth_{renderer()};
   Mesh mesh_ = Mesh::Shaded;
 };
 

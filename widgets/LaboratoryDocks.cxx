@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "AnimationPlayer.h"
 #include "ContinuityPanel.h"
 #include "DeformationPanel.h"
 #include "FAPPlotPanel.h"
@@ -30,7 +31,11 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
     : QObject(window), view_(view), window_(window) {
   window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   plot_ = add("plotDock", tr("FAPs over time"), new FAPPlotPanel(model, player));
-  QDockWidget* vectors = add("vectorsDock", tr("Motion vectors"), new VectorPanel(model, view));
+  auto* vectorPanel = new VectorPanel(model, view);
+  QDockWidget* vectors = add("vectorsDock", tr("Motion vectors"), vectorPanel);
+  connect(player, &AnimationPlayer::playingChanged, vectorPanel, [vectorPanel](bool playing) {
+    if (playing) vectorPanel->fit();
+  });
   connect(vectors->toggleViewAction(), &QAction::triggered, this, [this, vectors](bool shown) {
     const int height = std::max(pictureHeight, static_cast<int>(pictureShare * window_->height()));
     if (shown && vectors->height() < height) window_->resizeDocks({vectors}, {height}, Qt::Vertical);
