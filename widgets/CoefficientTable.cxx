@@ -15,8 +15,8 @@ namespace mien {
 namespace {
 
 constexpr int coefficientCount = 12, rmsColumn = 12, allColumns = 13;
-constexpr double smaller = 0.85;                 // of the application's letters: 13 columns in half a window
-constexpr int lineHeight = 26, leastWidth = 44;  // pixels
+constexpr double smaller = 0.85;  // of the application's letters: 13 columns in half a window
+constexpr int lineHeight = 21, shownRows = 10, leastWidth = 44;  // pixels
 constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
 constexpr const char* units[] = {"1/pupil unit", "1/pupil unit", "1/pupil unit", "no unit", "no unit", "pupil units"};
 
@@ -102,10 +102,12 @@ void CoefficientTable::addCells() {
     }
 }
 
-void CoefficientTable::show(const DeformationTable& table, const std::string& meanName, const DeformationTable& mean,
+void CoefficientTable::show(const DeformationTable& table, const std::string& meanName, const DeformationTable* mean,
                             const PresentTable::Fit* fit) {
   table_ = table;
-  mean_ = mean;
+  shown_ = true;
+  hasMean_ = mean;
+  if (mean) mean_ = *mean;
   meanName_ = meanName;
   for (int region = 1; region <= rowCount(); ++region) {
     for (int coefficient = 0; coefficient < coefficientCount; ++coefficient) fillCoefficient(region, coefficient);
@@ -115,8 +117,9 @@ void CoefficientTable::show(const DeformationTable& table, const std::string& me
 }
 
 void CoefficientTable::fillCoefficient(int region, int coefficient) {
-  const double value = valueOf(table_, region, coefficient), difference = value - valueOf(mean_, region, coefficient);
-  const double deviation = deviationOf(mean_, region, coefficient);
+  const double value = valueOf(table_, region, coefficient);
+  const double difference = hasMean_ ? value - valueOf(mean_, region, coefficient) : 0.0;
+  const double deviation = hasMean_ ? deviationOf(mean_, region, coefficient) : 0.0;
   const int side = sideOf(difference, deviation);
   QTableWidgetItem* cell = item(region - 1, coefficient);
   const QString arrow = side == 0 ? QString() : side < 0 ? QStringLiteral("\u25be") : QStringLiteral("\u25b4");
@@ -129,7 +132,7 @@ void CoefficientTable::fillCoefficient(int region, int coefficient) {
                                             .arg(region)
                                             .arg(QString::fromStdString(coefficientName(coefficient)))
                                             .arg(value)
-                                            .arg(sideText(side)));
+                                            .arg(hasMean_ ? sideText(side) : tr("no range")));
 }
 
 void CoefficientTable::fillFit(int region, const PresentTable::Fit* fit) {
@@ -139,14 +142,17 @@ void CoefficientTable::fillFit(int region, const PresentTable::Fit* fit) {
 }
 
 QString CoefficientTable::detail() const {
-  if (meanName_.empty() || currentRow() < 0) return tr("Choose a coefficient to read it with its range.");
+  if (!shown_ || currentRow() < 0) return tr("Choose a coefficient to read it with its range.");
   const int region = chosenRegion();
   const QString name = regionText(region);
   const int coefficient = currentColumn();
   if (coefficient >= coefficientCount) return name;
-  const double value = valueOf(table_, region, coefficient), mean = valueOf(mean_, region, coefficient);
-  const double deviation = deviationOf(mean_, region, coefficient);
   const auto number = [](double x) { return QString::number(x, 'g', 4); };
+  const double value = valueOf(table_, region, coefficient);
+  if (!hasMean_)
+    return tr("%1: %2 = %3 (%4); the face does not move, so no mean is near")
+        .arg(name, QString::fromStdString(coefficientName(coefficient)), number(value), units[coefficient % 6]);
+  const double mean = valueOf(mean_, region, coefficient), deviation = deviationOf(mean_, region, coefficient);
   return tr("%1: %2 = %3 (%4), %5 %6 \u00b1 %7 of %8")
       .arg(name, QString::fromStdString(coefficientName(coefficient)), number(value), units[coefficient % 6],
            sideText(sideOf(value - mean, deviation)), number(mean), number(deviation),
@@ -154,13 +160,18 @@ QString CoefficientTable::detail() const {
 }
 
 std::string CoefficientTable::text() const {
-  if (meanName_.empty()) return {};
-  std::string text = "region,name,coefficient,value,mean_" + meanName_ + ",sd,range\n";
+  if (!shown_) return {};
+  std::string text = "region,name,coefficient,value" + (hasMean_ ? ",mean_" + meanName_ + ",sd,range\n" : "\n");
   for (int region = 1; region <= rowCount(); ++region)
     for (int i = 0; i < coefficientCount; ++i) {
-      const double value = valueOf(table_, region, i), mean = valueOf(mean_, region, i),
-                   deviation = deviationOf(mean_, region, i);
+      const double value = valueOf(table_, region, i);
       text += std::to_string(region) + "," + defaultRegions().name(region) + "," + coefficientName(i);
+      if (!hasMean_) {
+        appendNumber(text += ",", value);
+        text += "\n";
+        continue;
+      }
+      const double mean = valueOf(mean_, region, i), deviation = deviationOf(mean_, region, i);
       for (double number : {value, mean, deviation}) appendNumber(text += ",", number);
       const int side = sideOf(value - mean, deviation);
       text += side == 0 ? ",inside\n" : side < 0 ? ",below\n" : ",above\n";
@@ -169,7 +180,7 @@ std::string CoefficientTable::text() const {
 }
 
 QSize CoefficientTable::sizeHint() const {
-  return {allColumns * leastWidth + 30, 6 * lineHeight};
+  return {allColumns * leastWidth + 30, shownRows * lineHeight + 24};
 }
 
 }  // namespace mien

@@ -15,9 +15,9 @@ class CoefficientTable : public QTableWidget {
  public:
   explicit CoefficientTable(QWidget* parent = nullptr);
 
-  /// @param mean  with deviations
+  /// @param mean  with deviations; nullptr: none is near, so nothing is marked
   /// @param fit   how well the table was fitted; nullptr: it was not
-  void show(const DeformationTable& table, const std::string& meanName, const DeformationTable& mean,
+  void show(const DeformationTable& table, const std::string& meanName, const DeformationTable* mean,
             const PresentTable::Fit* fit);
 
   int chosenRegion() const { return currentRow() + 1; }  ///< 1 .. 16; 0: none
@@ -25,7 +25,8 @@ class CoefficientTable : public QTableWidget {
   /// The chosen coefficient in words, with all digits.
   QString detail() const;
 
-  /// CSV: region, name, coefficient, value, mean, sd, range (inside, above, below); empty before the first show().
+  /// CSV: region, name, coefficient, value and, with a mean, mean, sd, range (inside, above, below); empty before the
+  /// first show().
   std::string text() const;
 
   QSize sizeHint() const override;
@@ -38,6 +39,7 @@ class CoefficientTable : public QTableWidget {
 
   DeformationTable table_, mean_;
   std::string meanName_;
+  bool hasMean_ = false, shown_ = false;
 };
 
 }  // namespace mien

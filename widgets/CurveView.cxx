@@ -51,7 +51,7 @@ void CurveView::addCurves() {
   colors_->SetNumberOfTableValues(colorSteps);
   colors_->SetTableRange(0.0, fullColorLength);
   colors_->SetVectorModeToMagnitude();
-  vtkAlgorithm* curves = model().pipeline().curves();
+  vtkAlgorithm* curves = model().pipeline().shownCurves();
   lines_->SetMapper(curveMapper(curves, colors_));
   lines_->GetProperty()->SetLineWidth(lineWidth);
   points_->SetMapper(curveMapper(curves, colors_));

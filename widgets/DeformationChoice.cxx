@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -11,8 +10,10 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "DeformationText.h"
 #include "FaceModel.h"
 #include "NamedTables.h"
+#include "TableTitle.h"
 #include "ValueSlider.h"
 
 namespace mien {
@@ -123,8 +124,8 @@ bool DeformationChoice::open(const QString& fileName) {
 int DeformationChoice::rowOf(const QString& table) {
   const int row = table_->findData(table);
   if (row >= 0) return row;
-  table_->addItem(QFileInfo(table).completeBaseName(), table);
-  table_->setItemData(table_->count() - 1, table, Qt::ToolTipRole);
+  table_->addItem(shortTableText(table.toStdString()), table);
+  table_->setItemData(table_->count() - 1, QString::fromStdString(tableTitle(table.toStdString())), Qt::ToolTipRole);
   return table_->count() - 1;
 }
 

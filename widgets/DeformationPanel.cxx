@@ -14,6 +14,7 @@
 
 #include "CoefficientTable.h"
 #include "DeformationChoice.h"
+#include "DeformationText.h"
 #include "ExportButton.h"
 #include "FaceModel.h"
 #include "FaceView.h"
@@ -193,7 +194,9 @@ Figure DeformationPanel::figure() const {
   const auto& fit = present_->fit();
   if (!fit || !fit->fault.isEmpty() || !fit->moves()) return {};
   Figure figure = recognitionFigure(PresentTable::expressions(), fit->scores);
-  figure.note = parameterText(model_->state().surface);
+  const QString table = deformationText(model_->state().deformation);
+  figure.note = parameterText(model_->state().surface) + "; from A: " + present_->neutralText().toStdString() +
+                (table.isEmpty() ? "; no table" : "; table " + table.toStdString());
   return figure;
 }
 
@@ -227,9 +230,10 @@ void DeformationPanel::showCoefficients() {
   const std::string& chosen = model_->state().deformation.table;
   if (!ofPresent) table = DeformationTable();                                           // without one nothing moves
   if (!ofPresent && !chosen.empty() && !readNamedTable(chosen, table).empty()) return;  // the model has said why
+  const bool none = mean_->currentIndex() == nearestMean && !(fit->fault.isEmpty() && fit->moves());
   const int mean = mean_->currentIndex() == nearestMean ? nearest() : mean_->currentIndex() - 1;
   const std::string& name = PresentTable::expressions()[mean];
-  coefficients_->show(table, name, *namedTable(name), ofPresent ? &*fit : nullptr);
+  coefficients_->show(table, name, none ? nullptr : namedTable(name), ofPresent ? &*fit : nullptr);
   detail_->setText(coefficients_->detail());
 }
 

@@ -14,12 +14,12 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "DeformationText.h"
 #include "FDTData.h"
 #include "FaceModel.h"
-#include "FaceMotion.h"
-#include "FaceStateText.h"
 #include "PipelineErrors.h"
 #include "PresentTable.h"
+#include "TableText.h"
 
 namespace mien {
 
@@ -78,13 +78,12 @@ void FitBar::describeControls() {
     button->setFocusPolicy(Qt::TabFocus);
   };
   describe(pin_, "deformationPin", tr("Pin as A"),
-           tr("The neutral face A that tables are fitted from: pressed, the face as it stands now (its FAPs, without a "
-              "table); else the face "
-              "at rest"));
+           tr("The neutral face A that tables are fitted from: pressed, the face as it stands now, its FAPs and its "
+              "table; else the face at rest"));
   pin_->setCheckable(true);
   describe(use_, "deformationUse", tr("Use fit"),
-           tr("The face goes back to A, and the table fitted from A to the present face bends it. Kept for this "
-              "session; Save keeps it"));
+           tr("The face goes back to A, and the table fitted from A to the present face bends it; the session keeps "
+              "it. Not where A has a table of its own, as one table bends a face at a time"));
   describe(save_, "deformationSave", tr("Save..."),
            tr("Writes the table fitted from A to the present face as .csv, in pupil units"));
   status_->setObjectName("deformationStatus");
@@ -96,16 +95,19 @@ void FitBar::describeControls() {
 void FitBar::showFit() {
   const auto& fit = present_->fit();
   const bool moves = fit && fit->fault.isEmpty() && fit->moves();
-  use_->setEnabled(moves);
+  const bool plain = present_->neutralState().deformation.table.empty();
+  use_->setEnabled(moves && plain);
   save_->setEnabled(moves);
   status_->setToolTip(tr(
       "How well 16 quadratic maps from A to the present face fit: the root mean square of what is left, in pupil units "
       "(half the distance of the pupils)"));
   if (!fit) return status_->setText(tr("The fit is being computed."));
   if (!fit->fault.isEmpty()) return status_->setText(fit->fault);
-  if (!moves) return status_->setText(tr("The present face is A; move it to fit a table."));
+  if (!moves)
+    return status_->setText(tr("A: %1. The present face is A; move it to fit a table.").arg(present_->neutralText()));
   const auto worst = std::max_element(fit->rms.begin(), fit->rms.end());
-  status_->setText(tr("RMS %1, at most %2 (region %3) pupil units")
+  status_->setText(tr("A: %1. RMS %2, at most %3 (region %4) pupil units")
+                       .arg(present_->neutralText())
                        .arg(fit->totalRms, 0, 'f', 4)
                        .arg(*worst, 0, 'f', 4)
                        .arg(worst - fit->rms.begin() + 1));
@@ -120,32 +122,35 @@ void FitBar::ask() {
   save(name);
 }
 
-bool FitBar::write(const QString& fileName) {
-  const auto& fit = present_->fit();
-  if (!fit || !fit->fault.isEmpty()) return false;
-  const std::string origin = present_->isPinned() ? "a pinned face" : "the face at rest";
-  const std::string comment = "Facial deformation table in pupil units, fitted by Mien Studio from " + origin +
-                              " to this one:\n" + writeFaceState(model_->lastingState());
-  const QString fault = writeFit(fit->table, comment, fileName);
-  if (!fault.isEmpty()) emit model_->failed(fault, QString());
-  return fault.isEmpty();
+/// One line, without paths: what the table was fitted to.
+std::string FitBar::comment(const std::string& name) const {
+  const QString table = deformationText(model_->state().deformation);
+  return name + ": fitted by Mien Studio from A (" + present_->neutralText().toStdString() + ") to the present face" +
+         (table.isEmpty() ? "" : " with " + table.toStdString()) + ", RMS " +
+         QString::number(present_->fit()->totalRms, 'g', 3).toStdString() + "; pupil units";
 }
 
 bool FitBar::save(const QString& fileName) {
-  const bool written = write(fileName);
-  if (written) emit model_->remarked(tr("%1 was written.").arg(QFileInfo(fileName).fileName()), fileName);
-  return written;
+  const auto& fit = present_->fit();
+  if (!fit || !fit->fault.isEmpty()) return false;
+  const QString fault = writeFit(fit->table, comment("Facial deformation table"), fileName);
+  if (!fault.isEmpty()) {
+    emit model_->failed(fault, QString());
+    return false;
+  }
+  emit model_->remarked(tr("%1 was written.").arg(QFileInfo(fileName).fileName()), fileName);
+  return true;
 }
 
-/// On top of what it was fitted to the table would move the face twice.
+/// On top of what it was fitted to the table would move the face twice. The state keeps the table itself.
 void FitBar::use() {
-  const QString fileName = folder_.filePath(QString("fit-%1.csv").arg(++used_));
-  if (!write(fileName)) return;
-  const std::map<int, double> faps = present_->neutralFAPs();
+  const auto& fit = present_->fit();
+  if (!fit || !fit->fault.isEmpty()) return;
+  const std::string table = writeTable(fit->table, comment("Fit " + std::to_string(++used_)));
   model_->change([&](FaceState& state) {
-    state = FaceMotion::neutralOf(state);
-    state.fapValues = faps;
-    state.deformation.table = fileName.toStdString();
+    state = present_->neutralState();
+    state.deformation = {};
+    state.deformation.table = table;
   });
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QTemporaryDir>
 #include <QWidget>
 
 class QLabel;
@@ -22,7 +21,7 @@ class FitBar : public QWidget {
 
  private:
   void describeControls();
-  bool write(const QString& fileName);
+  std::string comment(const std::string& name) const;
   void ask();
   void use();
   void showFit();
@@ -31,8 +30,7 @@ class FitBar : public QWidget {
   PresentTable* present_;
   QToolButton *pin_, *use_, *save_;
   QLabel* status_;
-  QTemporaryDir folder_;  ///< of fits that are used and not saved
-  int used_ = 0;
+  int used_ = 0;  ///< fits of this session
 };
 
 }  // namespace mien

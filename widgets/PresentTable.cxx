@@ -14,14 +14,13 @@
 #include "FDTData.h"
 #include "FaceModel.h"
 #include "FaceMotion.h"
+#include "FaceNote.h"
 #include "NamedTables.h"
 #include "PipelineErrors.h"
 
 namespace mien {
 
 namespace {
-
-constexpr double leastMovement = 0.01;  // pupil units, 0.3 mm: below it the nearest expression means nothing
 
 std::vector<DeformationTable> means() {
   std::vector<DeformationTable> tables;
@@ -61,7 +60,7 @@ vtkSmartPointer<vtkStructuredGrid> copyOf(vtkStructuredGrid* grid) {
 }  // namespace
 
 bool PresentTable::Fit::moves() const {
-  return table.largestDisplacement >= leastMovement;
+  return table.largestDisplacement >= leastRecognisedMovement;
 }
 
 PresentTable::PresentTable(FaceModel* model, QObject* parent)
@@ -82,12 +81,16 @@ const std::vector<std::string>& PresentTable::expressions() {
   return names;
 }
 
-/// What expressions and an animation add is kept as FAPs, so that it stays when these go on.
+/// The frame of an animation is kept as FAPs, so that it stays when the animation goes on.
 void PresentTable::pin() {
-  std::map<int, double> faps;
-  for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
-    if (const double value = model_->shownFAP(fap); value != 0.0) faps[fap] = value;
-  pinned_ = faps;
+  pinned_ = model_->state();
+  if (!pinned_->fapFile.empty() && model_->frameCount() > 0) {
+    const double time = model_->framePosition() / model_->motion().framesPerSecond;
+    const FAPFrame frame = model_->motion().frameAtTime(time, model_->interpolates());
+    for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
+      if (frame.value(fap) != 0.0) pinned_->fapValues[fap] += frame.value(fap);
+  }
+  pinned_->fapFile.clear();
   request();
 }
 
@@ -96,10 +99,25 @@ void PresentTable::unpin() {
   request();
 }
 
-void PresentTable::request() {
+FaceState PresentTable::neutralState() const {
   FaceState state = FaceMotion::neutralOf(model_->state());
-  state.fapValues = neutralFAPs();
-  neutral_.setState(state);
+  if (pinned_) {
+    state.fapValues = pinned_->fapValues;
+    state.expressions = pinned_->expressions;
+    state.visemes = pinned_->visemes;
+    state.deformation = pinned_->deformation;
+  }
+  return state;
+}
+
+QString PresentTable::neutralText() const {
+  if (!pinned_) return tr("the face at rest");
+  const std::string motion = motionText(*pinned_);
+  return motion.empty() ? tr("pinned at rest") : tr("pinned: %1").arg(QString::fromStdString(motion));
+}
+
+void PresentTable::request() {
+  neutral_.setState(neutralState());
   const std::string fault = neutral_.update();
   if (!fault.empty()) {
     fit_.emplace();

@@ -3,7 +3,6 @@
 #include <QObject>
 #include <QString>
 #include <array>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +18,8 @@ class FaceModel;
 
 /// Which table moves the neutral face A to the present one, and which expression is that? Fitted in the background.
 ///
-/// A is the face at rest, or one that was pinned; always without a table, and of the present surface and mesh.
+/// A is the face at rest, or one that was pinned with all that moves it, its table too; always of the present surface
+/// and mesh.
 class PresentTable : public QObject {
   Q_OBJECT
  public:
@@ -45,8 +45,11 @@ class PresentTable : public QObject {
   void unpin();  ///< A is the face at rest
   bool isPinned() const { return pinned_.has_value(); }
 
-  /// The FAPs of A; of a face at rest none.
-  std::map<int, double> neutralFAPs() const { return pinned_.value_or(std::map<int, double>()); }
+  /// A, with the present surface and mesh.
+  FaceState neutralState() const;
+
+  /// A in words: "the face at rest", "pinned: deformation table joy at 2".
+  QString neutralText() const;
 
   void request();  ///< fits anew; the last request of several wins
   const std::optional<Fit>& fit() const { return fit_; }
@@ -58,7 +61,7 @@ class PresentTable : public QObject {
   FaceModel* model_;
   BackgroundTask* task_;
   FacePipeline neutral_;
-  std::optional<std::map<int, double>> pinned_;
+  std::optional<FaceState> pinned_;
   std::optional<Fit> fit_;
 };
 

@@ -13,7 +13,7 @@ namespace mien {
 namespace {
 
 constexpr double shownDeviations = 3.0;  // on either side of the mean
-constexpr double margin = 4.0, rangeHeight = 3.0, tickWidth = 2.0, tickHeight = 6.0, foot = 2.0;  // pixels
+constexpr double margin = 4.0, rangeHeight = 2.0, tickWidth = 2.0, tickHeight = 4.0, foot = 1.0;  // pixels
 
 }  // namespace
 

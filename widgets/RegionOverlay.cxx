@@ -1,10 +1,13 @@
 #include "RegionOverlay.h"
 
 #include <vtkBillboardTextActor3D.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
 #include <vtkFDTDeformationFilter.h>
 #include <vtkFDTReader.h>
 #include <vtkFacialRegionFilter.h>
 #include <vtkGeometryFilter.h>
+#include <vtkMath.h>
 #include <vtkPDEFaceFilter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -16,6 +19,8 @@
 #include <QEvent>
 #include <cmath>
 
+#include "DefaultRegions.h"
+#include "FaceFrame.h"
 #include "FaceModel.h"
 #include "FaceOverlay.h"
 #include "FaceView.h"
@@ -30,6 +35,7 @@ constexpr int fineRows = 218, fineColumns = 160;  // borders of regions are then
 constexpr const char* colorArray = "RegionColor";
 constexpr double lift = 8.0;  // mm by which a number stands before the skin, or its corners would sink into a cheek
 constexpr double leastForwards = 0.3;  // z of the unit normal
+constexpr double leastTowards = 0.3;   // cosine between a number's skin and the camera
 constexpr double paleness = 0.75;      // of regions that do not stand out
 
 // Of region 1 .. 16; neighbours differ, mirrored regions are alike where they do not touch. After Okabe and Ito,
@@ -63,32 +69,31 @@ struct RegionPoints {
     return forwards < leastForwards ? 0.0 : share(point) * forwards * forwards * forwards;
   }
 
-  /// For each region its point nearest to the middle of those that look forwards; -1 where it has none.
+  /// Whether there is a place for its number: on the face and seen from the front.
+  bool bearsNumber(vtkIdType point) const { return weight(point) > 0.25; }
+
+  /// For each region the point nearest to its centre as the region map has it; -1 where it has none.
   std::array<vtkIdType, 16> middles() const {
-    std::array<std::array<double, 4>, 16> sums{};
     std::array<double, 16> least;
     std::array<vtkIdType, 16> nearest;
     least.fill(1e300);
     nearest.fill(-1);
-    const auto visit = [this](const auto& at) {
-      double place[3];
-      for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
-        if (weight(i) == 0.0) continue;
-        skin->GetPoint(i, place);
-        at(i, region(i) - 1, place);
-      }
-    };
-    visit([&](vtkIdType point, int index, const double* place) {
-      for (int axis = 0; axis < 3; ++axis) sums[index][axis] += weight(point) * place[axis];
-      sums[index][3] += weight(point);
-    });
-    visit([&](vtkIdType point, int index, const double* place) {
-      double distance = 0.0;
-      for (int axis = 0; axis < 3; ++axis) distance += std::pow(place[axis] - sums[index][axis] / sums[index][3], 2);
-      if (distance >= least[index]) return;
+    FaceFrame frame;
+    if (!readPupils(skin, {}, frame).empty()) return nearest;
+    Eigen::Vector3d place;
+    for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
+      if (!bearsNumber(i)) continue;
+      skin->GetPoint(i, place.data());
+      const int index = region(i) - 1;
+      const double distance =
+          (frame.pupils.apply(frame.turned.rotation.transpose() * (place - frame.turned.centre) + frame.turned.centre)
+               .head<2>() -
+           defaultRegions().centre(index + 1))
+              .norm();
+      if (distance >= least[index]) continue;
       least[index] = distance;
-      nearest[index] = point;
-    });
+      nearest[index] = i;
+    }
     return nearest;
   }
 };
@@ -96,7 +101,7 @@ struct RegionPoints {
 }  // namespace
 
 RegionOverlay::RegionOverlay(FaceModel* model, FaceView* view, QObject* parent)
-    : QObject(parent), model_(model), view_(view), overlay_(new FaceOverlay(view, this)) {
+    : QObject(parent), model_(model), view_(view), renderer_(view->renderer()), overlay_(new FaceOverlay(view, this)) {
   fine_->SetResolution(fineRows, fineColumns);
   regions_->SetInputConnection(fine_->GetOutputPort());
   deformation_->SetInputConnection(regions_->GetOutputPort());
@@ -113,6 +118,7 @@ RegionOverlay::RegionOverlay(FaceModel* model, FaceView* view, QObject* parent)
     text->SetColor(0.06, 0.08, 0.1);
     text->SetBold(true);
   }
+  started_ = view_->renderer()->AddObserver(vtkCommand::StartEvent, this, &RegionOverlay::hideTurned);
   view_->installEventFilter(this);
   connect(overlay_, &FaceOverlay::shownChanged, this, [this](bool shown) {
     if (!shown) removeNumbers();
@@ -120,7 +126,9 @@ RegionOverlay::RegionOverlay(FaceModel* model, FaceView* view, QObject* parent)
   });
 }
 
-RegionOverlay::~RegionOverlay() = default;
+RegionOverlay::~RegionOverlay() {
+  renderer_->RemoveObserver(started_);
+}
 
 bool RegionOverlay::isShown() const {
   return overlay_->isShown();
@@ -199,10 +207,18 @@ void RegionOverlay::placeNumbers(vtkPolyData* skin) {
     for (int axis = 0; axis < 3; ++axis)
       place[axis] += lift * (normals ? normals->GetComponent(point, axis) : axis == 2);
     numbers_[i]->SetPosition(place);
+    for (int axis = 0; axis < 3; ++axis) outward_[i][axis] = normals ? normals->GetComponent(point, axis) : axis == 2;
     numbers_[i]->GetTextProperty()->SetFontSize(region_ == i + 1 ? 20 : 14);
     view_->renderer()->AddActor(numbers_[i]);
   }
   view_->redraw();
+}
+
+/// A number is read while its skin is turned to the camera; at the face's silhouette it would stand beside it.
+void RegionOverlay::hideTurned() {
+  double forwards[3];
+  view_->renderer()->GetActiveCamera()->GetDirectionOfProjection(forwards);
+  for (int i = 0; i < 16; ++i) numbers_[i]->SetVisibility(-vtkMath::Dot(forwards, outward_[i].data()) > leastTowards);
 }
 
 void RegionOverlay::removeNumbers() {

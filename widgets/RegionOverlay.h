@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 #include <QObject>
 #include <array>
@@ -13,6 +14,7 @@ class vtkFDTReader;
 class vtkFacialRegionFilter;
 class vtkPDEFaceFilter;
 class vtkPolyData;
+class vtkRenderer;
 class vtkReverseSense;
 class vtkGeometryFilter;
 
@@ -45,10 +47,12 @@ class RegionOverlay : public QObject {
   void paint();
   void color(vtkPolyData* skin) const;
   void placeNumbers(vtkPolyData* skin);
+  void hideTurned();
   void removeNumbers();
 
   FaceModel* model_;
   FaceView* view_;
+  vtkSmartPointer<vtkRenderer> renderer_;
   FaceOverlay* overlay_;
   vtkNew<vtkPDEFaceFilter> fine_;
   vtkNew<vtkFacialRegionFilter> regions_;
@@ -58,6 +62,8 @@ class RegionOverlay : public QObject {
   vtkNew<vtkReverseSense> outwards_;
   PipelineErrors errors_;
   std::array<vtkNew<vtkBillboardTextActor3D>, 16> numbers_;
+  std::array<std::array<double, 3>, 16> outward_{};  ///< where the skin below each number looks
+  unsigned long started_ = 0;
   int region_ = 0;
 };
 

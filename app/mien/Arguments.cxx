@@ -56,12 +56,6 @@ std::vector<std::string> splitText(const std::string& text, char separator) {
   return parts;
 }
 
-std::pair<std::string, double> parseWeighted(const std::string& option, const std::string& text) {
-  const size_t colon = text.rfind(':'), slash = text.find_last_of("/\\");
-  if (colon == std::string::npos || (slash != std::string::npos && colon < slash)) return {text, 1.0};
-  return {text.substr(0, colon), parseNumber(option, text.substr(colon + 1))};
-}
-
 std::pair<int, int> parseSize(const std::string& option, const std::string& text) {
   const std::vector<std::string> parts = splitText(text, 'x');
   std::pair<int, int> size;

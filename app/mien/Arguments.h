@@ -23,9 +23,6 @@ double parseMillimetres(const std::string& option, const std::string& text);
 /// The parts between separators; an empty text has one empty part.
 std::vector<std::string> splitText(const std::string& text, char separator);
 
-/// "joy:0.5": a name or file and a weight, 1 without one. Colons before a slash belong to the file.
-std::pair<std::string, double> parseWeighted(const std::string& option, const std::string& text);
-
 /// "56x40": two whole numbers from 1 up.
 std::pair<int, int> parseSize(const std::string& option, const std::string& text);
 

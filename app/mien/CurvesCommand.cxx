@@ -55,7 +55,7 @@ void run(const Options& options) {
   const std::string fault = pipeline.updateCurves();
   if (!fault.empty()) throw FileFailure(fault);
   printRemarks(pipeline);
-  write(options, vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0)));
+  write(options, vtkPolyData::SafeDownCast(pipeline.shownCurves()->GetOutputDataObject(0)));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "Failure.h"
 #include "MovementText.h"
 #include "OutputFile.h"
+#include "TableList.h"
 
 namespace mien {
 
@@ -62,8 +63,8 @@ void FaceOptions::addMovementOptions(CLI::App& command) {
       "FAP values by number or name, such as 53=200,54=200 or open_jaw=300; they add to those of a file");
   CLI::Option* fdt =
       add("--fdt", deformation_,
-          "Facial deformation table, FILE.csv[:strength] or one that is compiled in: joy, sadness, anger, fear, "
-          "disgust, surprise, smile");
+          "Facial deformation tables TABLE[:STRENGTH][,TABLE[:STRENGTH] ..], strengths -2 .. 2; a TABLE is FILE.csv, "
+          "FILE.fdt or joy, sadness, anger, fear, disgust, surprise, smile, and several add up");
   command.add_flag("--fdt-hard", hardRegions_, "Every point follows the table's nearest region alone, as in the paper")
       ->group("Animation")
       ->needs(fdt);
@@ -168,8 +169,14 @@ void FaceOptions::fillTexture(FaceState& state) const {
 }
 
 void FaceOptions::fillDeformation(FaceState& state) const {
-  if (!deformation_.empty())
-    std::tie(state.deformation.table, state.deformation.strength) = parseWeighted("--fdt", deformation_);
+  std::vector<WeightedName> tables;
+  const std::string fault = parseTableList(deformation_, tables);
+  if (!fault.empty()) throw ValueFailure("--fdt: " + fault);
+  state.deformation.table = deformation_;
+  if (tables.size() == 1) {
+    state.deformation.table = tables[0].name;
+    state.deformation.strength = tables[0].weight;
+  }
   state.deformation.smooth = !hardRegions_;
 }
 

@@ -154,8 +154,8 @@ void FaceScene::addCurves() {
 }
 
 void FaceScene::updateCurves() {
-  pipeline_.curves()->Update();
-  curveMapper_->SetInputData(smoothCurves(vtkPolyData::SafeDownCast(pipeline_.curves()->GetOutputDataObject(0))));
+  pipeline_.shownCurves()->Update();
+  curveMapper_->SetInputData(smoothCurves(vtkPolyData::SafeDownCast(pipeline_.shownCurves()->GetOutputDataObject(0))));
 }
 
 /// Key from the upper left, fill from the right, rim from behind.

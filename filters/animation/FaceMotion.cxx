@@ -48,7 +48,7 @@ struct FaceMotion::Internals {
   }
 
   std::string readOriginFace() {
-    auto* curves = vtkPolyData::SafeDownCast(origin.curves()->GetOutputDataObject(0));
+    auto* curves = vtkPolyData::SafeDownCast(origin.shownCurves()->GetOutputDataObject(0));
     HeadRotation rotation;
     std::string fault = readFaceCurves(curves, originFace);
     if (fault.empty() && filter->GetRemoveHeadRotation()) fault = readHeadRotation(curves->GetFieldData(), rotation);

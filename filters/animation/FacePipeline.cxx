@@ -12,6 +12,7 @@
 #include "vtkCurveEditFilter.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
+#include "vtkFDTCurveFilter.h"
 #include "vtkFDTDeformationFilter.h"
 #include "vtkFDTReader.h"
 #include "vtkGeometryFilter.h"
@@ -69,7 +70,8 @@ struct FacePipeline::Internals {
   vtkNew<vtkPDEFaceFilter> face;
   vtkNew<vtkFDTReader> table;
   vtkNew<vtkFDTDeformationFilter> deformation;
-  vtkNew<vtkPassThrough> skin;
+  vtkNew<vtkFDTCurveFilter> curveDeformation;
+  vtkNew<vtkPassThrough> skin, shownCurves;
   vtkNew<vtkGeometryFilter> surface;
   PipelineErrors errors;
 
@@ -80,10 +82,14 @@ struct FacePipeline::Internals {
     face->SetInputConnection(curves->GetOutputPort());
     deformation->SetInputConnection(face->GetOutputPort());
     deformation->SetTableConnection(table->GetOutputPort());
+    curveDeformation->SetInputConnection(curves->GetOutputPort());
+    curveDeformation->SetTableConnection(table->GetOutputPort());
+    shownCurves->SetInputConnection(curves->GetOutputPort());
     skin->SetInputConnection(face->GetOutputPort());
     surface->SetInputConnection(skin->GetOutputPort());
-    for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{reader, edit, frames, animation, curves, face,
-                                                                        table, deformation, skin, surface})
+    for (vtkAlgorithm* algorithm :
+         std::initializer_list<vtkAlgorithm*>{reader, edit, frames, animation, curves, face, table, deformation,
+                                              curveDeformation, shownCurves, skin, surface})
       errors.observe(algorithm);
   }
 
@@ -153,6 +159,9 @@ struct FacePipeline::Internals {
     table->SetFileName(none ? nullptr : chosen.table.c_str());
     deformation->SetStrength(chosen.strength);
     deformation->SetSmooth(chosen.smooth);
+    curveDeformation->SetStrength(chosen.strength);
+    curveDeformation->SetSmooth(chosen.smooth);
+    shownCurves->SetInputConnection((none ? static_cast<vtkAlgorithm*>(curves) : curveDeformation)->GetOutputPort());
     skin->SetInputConnection((none ? static_cast<vtkAlgorithm*>(face) : deformation)->GetOutputPort());
   }
 
@@ -243,6 +252,10 @@ vtkAlgorithm* FacePipeline::curves() const {
   return this->Impl->curves;
 }
 
+vtkAlgorithm* FacePipeline::shownCurves() const {
+  return this->Impl->shownCurves;
+}
+
 vtkPDEFaceFilter* FacePipeline::face() const {
   return this->Impl->face;
 }
@@ -268,7 +281,7 @@ int FacePipeline::pointsPerCurve() const {
 }
 
 std::string FacePipeline::updateCurves() {
-  return this->Impl->update(this->Impl->curves);
+  return this->Impl->update(this->Impl->shownCurves);
 }
 
 std::string FacePipeline::updateGrid() {
@@ -276,7 +289,8 @@ std::string FacePipeline::updateGrid() {
 }
 
 std::string FacePipeline::update() {
-  return this->Impl->update(this->Impl->surface);
+  const std::string fault = this->Impl->update(this->Impl->surface);
+  return fault.empty() ? this->Impl->update(this->Impl->shownCurves) : fault;
 }
 
 }  // namespace mien

@@ -15,7 +15,7 @@ class vtkStructuredGrid;
 
 /// The VTK pipeline that shows a FaceState, for every program:
 ///   vtkBoundaryCurveReader --> vtkCurveEditFilter --> vtkFAPAnimationFilter --> vtkPDEFaceFilter -->
-///     (vtkFDTDeformationFilter) --> vtkGeometryFilter
+///     (vtkFDTDeformationFilter) --> vtkGeometryFilter; the animated curves --> (vtkFDTCurveFilter) to be looked at
 ///   vtkFAPReader (when there is a file) to the animation, vtkFDTReader (when there is a table) to the deformation
 ///
 /// Setting a state touches only the filters whose properties differ, so that the next update does no more than it must.
@@ -35,9 +35,10 @@ class MIENANIMATION_EXPORT FacePipeline {
   vtkBoundaryCurveReader* neutralCurves() const;  ///< as read, before edits
   vtkFAPReader* frames() const;                   ///< the animation file's; empty until a state with a file was updated
   vtkFAPAnimationFilter* animation() const;
-  vtkAlgorithm* curves() const;     ///< vtkPolyData, the boundary curves as animated
-  vtkPDEFaceFilter* face() const;   ///< vtkStructuredGrid with the mouth slit blanked, before any table
-  vtkStructuredGrid* grid() const;  ///< the same as the table leaves it; brought up to date by update(), updateGrid()
+  vtkAlgorithm* curves() const;       ///< vtkPolyData, the boundary curves as animated, from which the surface is made
+  vtkAlgorithm* shownCurves() const;  ///< the same as the table leaves them
+  vtkPDEFaceFilter* face() const;     ///< vtkStructuredGrid with the mouth slit blanked, before any table
+  vtkStructuredGrid* grid() const;    ///< the same as the table leaves it; brought up to date by update(), updateGrid()
   vtkAlgorithm* surface()
       const;  ///< vtkPolyData for mappers, locators and writers: without the slit; wound inwards as the grid
 
@@ -51,13 +52,13 @@ class MIENANIMATION_EXPORT FacePipeline {
   /// Points per curve (K) after updateNeutralCurves(), 0 without curves.
   int pointsPerCurve() const;
 
-  /// Brings the animated curves up to date; the first error on the way as one sentence, or nothing.
+  /// Brings the curves up to date, animated and shown; the first error on the way as one sentence, or nothing.
   std::string updateCurves();
 
   /// Brings the grid up to date but not the polygons of surface(); the first error on the way, or nothing.
   std::string updateGrid();
 
-  /// Brings the surface up to date; the first error on the way as one sentence, or nothing.
+  /// Brings the surface and the shown curves up to date; the first error on the way as one sentence, or nothing.
   std::string update();
 
  private:

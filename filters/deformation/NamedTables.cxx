@@ -11,7 +11,9 @@
 #include "SadnessTable.h"
 #include "SmileTable.h"
 #include "SurpriseTable.h"
+#include "TableList.h"
 #include "TableText.h"
+#include "TableTitle.h"
 #include "TextFileReader.h"
 
 namespace mien {
@@ -42,6 +44,24 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+/// The sum of the displacements of several tables.
+std::string readTableList(const std::string& text, DeformationTable& table) {
+  std::vector<WeightedName> names;
+  std::string fault = parseTableList(text, names);
+  std::vector<std::pair<DeformationTable, double>> tables(names.size());
+  for (std::size_t i = 0; i < names.size() && fault.empty(); ++i) {
+    tables[i].second = names[i].weight;
+    fault = readNamedTable(names[i].name, tables[i].first);
+  }
+  if (fault.empty()) table = DeformationTable::weighted(tables);
+  return fault;
+}
+
+bool hasPackedName(const std::string& file) {
+  const std::string ending = ".fdt";
+  return file.size() >= ending.size() && file.compare(file.size() - ending.size(), ending.size(), ending) == 0;
+}
+
 }  // namespace
 
 const std::vector<std::string>& tableNames() {
@@ -64,13 +84,20 @@ std::string readNamedTable(const std::string& nameOrFile, DeformationTable& tabl
     table = *known;
     return {};
   }
+  if (isInlineTable(nameOrFile)) {
+    const std::string fault = parseTable(nameOrFile, table);
+    return fault.empty() ? "" : "table:" + fault;
+  }
   std::string text;
   std::string fault = readTextFile(nameOrFile, largestText, text);
   const bool unreadable = !fault.empty();
+  if (unreadable && nameOrFile.find(',') != std::string::npos) return readTableList(nameOrFile, table);
   if (!unreadable && isPackedTable(text)) {
     fault = unpackTable(text, table);
     return fault.empty() ? "" : nameOrFile + ": " + fault;
   }
+  if (!unreadable && hasPackedName(nameOrFile))
+    return nameOrFile + ": it is no packed table, which begins with other bytes; write one with mien fdt pack";
   if (!unreadable) fault = parseTable(text, table);
   if (unreadable && nameOrFile.find_first_of("./\\") == std::string::npos)
     fault += "; there are the tables " + listed(tableNames());

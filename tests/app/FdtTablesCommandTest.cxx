@@ -78,7 +78,7 @@ TEST(FdtBlendCommand, WeightsThatSumToOneMix) {
   EXPECT_LT(tableDifference(tableFrom(folder.file("a.csv")), mixed), 1e-15);
   ASSERT_EQ(run({"blend", "joy", "-o", folder.file("b.csv")}).exitCode, 0);
   EXPECT_TRUE(tableFrom(folder.file("b.csv")).deviations);
-  EXPECT_EQ(run({"blend", "joy:11", "-o", folder.file("c.csv")}).exitCode, 2);
+  EXPECT_EQ(run({"blend", "joy:2.5", "-o", folder.file("c.csv")}).exitCode, 2);
   EXPECT_EQ(run({"blend", "joy"}).exitCode, 2);
 }
 
@@ -115,7 +115,7 @@ TEST(FdtShowCommand, PrintsAndDrawsATable) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
     const std::string figure = readTextFile(folder.file("j.svg"));
     EXPECT_EQ(figure.find("<image"), std::string::npos);
-    for (const char* const part : {">16<", "Regions", "±", "mien fdt show joy"})
+    for (const char* const part : {">16<", "Regions", "±", "smooth, 2 times", "pupil units,", "mien fdt show joy"})
       EXPECT_NE(figure.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(csvRows(folder.file("j.csv")).size(), 192u);
@@ -125,6 +125,37 @@ TEST(FdtShowCommand, PrintsAndDrawsATable) {
   EXPECT_FALSE(about["regions"][13].contains("a_sd"));
   EXPECT_EQ(json::parse(run({"show", "joy", "--json"}).output)["regions"][0]["b_sd"].size(), 6u);
   EXPECT_EQ(run({"show", "joy", "--arrows", "0"}).exitCode, 2);
+}
+
+TEST(FdtShowCommand, NoNumberReadsZeroThatIsNot) {
+  for (const char* const table : {"joy", "smile"}) {
+    const std::string text = run({"show", table}).output;
+    EXPECT_EQ(text.find("-0.000 "), std::string::npos) << table;
+    EXPECT_EQ(text.find("+-0.000 "), std::string::npos) << table;
+  }
+}
+
+TEST(FdtTables, OptionsWithoutEffectAreRefused) {
+  const TemporaryFolder folder;
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"show", "joy", "--y-down"},
+                                                {"classify", "joy", "--mirrored"},
+                                                {"check", "joy", "--against", "joy", "--pupils", "a,b"},
+                                                {"mean", "joy", "fear", "--y-down", "-o", folder.file("m.csv")},
+                                                {"mirror", "joy", "--y-down", "-o", folder.file("m.csv")}}) {
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exitCode, 2) << words[0] << outcome.errors;
+  }
+  EXPECT_EQ(entriesIn(folder.file("")), 0);
+}
+
+TEST(FdtClassifyCommand, ATableThatDoesNotMoveHasNoExpression) {
+  const TemporaryFolder folder;
+  writeTextFile(folder.file("identity.csv"), mien::writeTable(mien::DeformationTable()));
+  const Outcome outcome = run({"classify", folder.file("identity.csv")});
+  EXPECT_EQ(outcome.exitCode, 0);
+  EXPECT_NE(outcome.output.find("does not move"), std::string::npos) << outcome.output;
+  EXPECT_EQ(outcome.output.find("anger"), std::string::npos) << outcome.output;
+  EXPECT_TRUE(json::parse(run({"classify", folder.file("identity.csv"), "--json"}).output)["expression"].is_null());
 }
 
 TEST(FdtPackCommand, KeepsTheBoundItStates) {

@@ -22,6 +22,9 @@ TEST(FaceNote, NamesEveryPartOfTheState) {
             "frames 5, 9 of talk.fap, joy, surprise at 0.25, viseme p b m at 0.5, FAP 3 = 300, deformation table "
             "smile.csv at 0.5");
   EXPECT_EQ(motionText(state, "frame 5", 0).find("FAP 3"), std::string::npos);
+  FaceState fitted;
+  fitted.deformation.table = "# Fit 1: from the face at rest\nregion,a1\n1,0\n";
+  EXPECT_EQ(motionText(fitted), "deformation table Fit 1") << "of a table in the state its title";
   state.animationTable = "own.json";
   state.edits.emplace_back();
   state.surface.smoothing[4] = 7.0;

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "FacePipeline.h"
+#include "NamedTables.h"
+#include "TableText.h"
 #include "TemporaryFolder.h"
 #include "TextFile.h"
 #include "vtkBoundaryCurveReader.h"
@@ -165,6 +168,51 @@ TEST(FacePipeline, ATableBendsTheFaceInProportionAndAnUnknownOneIsNamed) {
   pipeline.setState(state);
   EXPECT_EQ(pipeline.update(), "");
   EXPECT_EQ(pipeline.grid()->GetPoint(42 * 41 + 17)[1], pipeline.face()->GetOutput()->GetPoint(42 * 41 + 17)[1]);
+}
+
+/// A curve is a row of the surface: the 27 intervals of its rows lie on the curves when each has two rows.
+TEST(FacePipeline, CurvesGoWhereTheTableTakesTheSurface) {
+  for (const double yaw : {0.0, 60000.0}) {
+    FacePipeline pipeline;
+    FaceState state;
+    state.doublePrecision = true;
+    state.columns = 40;
+    state.deformation.table = "surprise";
+    state.fapValues[49] = yaw;
+    pipeline.setState(state);
+    ASSERT_EQ(pipeline.update(), "");
+    auto* before = vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0));
+    auto* after = vtkPolyData::SafeDownCast(pipeline.shownCurves()->GetOutputDataObject(0));
+    ASSERT_EQ(before->GetNumberOfPoints(), after->GetNumberOfPoints());
+    double largest = 0.0, worst = 0.0;
+    for (vtkIdType i = 0; i < before->GetNumberOfPoints(); ++i) {
+      const Eigen::Vector3d from(before->GetPoint(i)), to(after->GetPoint(i));
+      largest = std::max(largest, (to - from).norm());
+      double nearest = 1e9;
+      for (vtkIdType j = 0; j < pipeline.grid()->GetNumberOfPoints(); ++j)
+        nearest = std::min(nearest, (Eigen::Vector3d(pipeline.grid()->GetPoint(j)) - to).norm());
+      worst = std::max(worst, nearest);
+    }
+    EXPECT_GT(largest, 10.0) << "mm, the chin";
+    RecordProperty(yaw == 0.0 ? "straight" : "turned", std::to_string(worst));
+    EXPECT_LT(worst, 6.0) << "half a cell of the mesh; without the table the chin would lie 10 mm beside it";
+  }
+}
+
+TEST(FacePipeline, SeveralTablesAddUpAndATableMayStandInTheStateItself) {
+  const auto moves = [](const std::string& table) {
+    FacePipeline pipeline;
+    FaceState state;
+    state.doublePrecision = true;
+    state.deformation.table = table;
+    pipeline.setState(state);
+    EXPECT_EQ(pipeline.update(), "") << table;
+    return Eigen::Vector3d(pipeline.grid()->GetPoint(42 * 41 + 17));
+  };
+  mien::DeformationTable blend =
+      mien::DeformationTable::weighted({{*mien::namedTable("joy"), 0.5}, {*mien::namedTable("surprise"), 0.25}});
+  EXPECT_LT((moves("joy:0.5,surprise:0.25") - moves(mien::writeTable(blend, "Half"))).norm(), 1e-9);
+  EXPECT_GT((moves("joy:0.5,surprise:0.25") - moves("joy")).norm(), 0.1);
 }
 
 TEST(FacePipeline, ATableBendsATurnedHeadInItsOwnFrame) {

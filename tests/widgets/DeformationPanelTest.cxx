@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -133,7 +134,7 @@ TEST_F(DeformationPanel, JoyIsFittedNamedAndUsedAgain) {
   const std::vector<double> joy = points();
   QTest::mouseClick(find<QToolButton>("deformationUse"), Qt::LeftButton);
   EXPECT_TRUE(window->model().state().expressions.empty());
-  EXPECT_EQ(find<QComboBox>("deformationTable")->currentText(), "fit-1");
+  EXPECT_EQ(find<QComboBox>("deformationTable")->currentText(), "Fit 1");
   EXPECT_LT(rmsBetween(points(), joy), 0.5 * rmsBetween(rest, joy));
   EXPECT_TRUE(waitForName("joy"));
   EXPECT_EQ(message(), "");
@@ -151,6 +152,37 @@ TEST_F(DeformationPanel, APinnedFaceIsWhereFitsBegin) {
   EXPECT_TRUE(waitForName("joy"));
 }
 
+TEST_F(DeformationPanel, APinnedFaceKeepsItsTable) {
+  choose("Joy");
+  find<QSpinBox>("deformationPercent")->setValue(200);
+  ASSERT_TRUE(waitForName("joy"));
+  QTest::keyClick(find<QToolButton>("deformationPin"), Qt::Key_Space);
+  auto* status = find<QLabel>("deformationStatus");
+  EXPECT_TRUE(waitUntil([&] { return status->text().contains("The present face is A"); }))
+      << status->text().toStdString();
+  EXPECT_TRUE(status->text().startsWith("A: pinned: deformation table joy at 2.")) << status->text().toStdString();
+  EXPECT_FALSE(find<QToolButton>("deformationUse")->isEnabled());
+  choose("None");
+  EXPECT_TRUE(waitUntil([&] { return status->text().contains("RMS"); }));
+  EXPECT_FALSE(find<QToolButton>("deformationUse")->isEnabled()) << "one table at a time bends a face";
+}
+
+TEST_F(DeformationPanel, AFaceThatDoesNotMoveMarksNoCoefficient) {
+  for (int i = 0; i < 192; ++i)
+    EXPECT_EQ(cells->item(i / 12, i % 12)->text().indexOf(QRegularExpression("[\u25b4\u25be]")), -1) << i;
+  EXPECT_EQ(cells->text().find("mean_"), std::string::npos);
+}
+
+TEST_F(DeformationPanel, TheBoundaryCurvesMoveWithTheFace) {
+  choose("Surprise");
+  const auto of = [this](vtkAlgorithm* curves) { return vtkPolyData::SafeDownCast(curves->GetOutputDataObject(0)); };
+  vtkPolyData *rest = of(window->model().pipeline().curves()), *moved = of(window->model().pipeline().shownCurves());
+  double largest = 0.0;
+  for (vtkIdType i = 0; i < rest->GetNumberOfPoints(); ++i)
+    largest = std::max(largest, std::abs(moved->GetPoint(i)[1] - rest->GetPoint(i)[1]));
+  EXPECT_GT(largest, 5.0) << "mm, the jaw of a surprised face";
+}
+
 TEST_F(DeformationPanel, ASavedFitIsATableAgain) {
   show("joy");
   ASSERT_TRUE(waitForName("joy"));
@@ -162,6 +194,11 @@ TEST_F(DeformationPanel, ASavedFitIsATableAgain) {
   mien::DeformationTable table;
   EXPECT_EQ(mien::readNamedTable(name.toStdString(), table), "");
   EXPECT_GT(table.largestDisplacement, 0.05);
+  QFile text(name);
+  ASSERT_TRUE(text.open(QIODevice::ReadOnly));
+  const QByteArray saved = text.readAll();
+  EXPECT_EQ(saved.count('#'), 1) << "one line says what it is";
+  EXPECT_FALSE(saved.left(saved.indexOf('\n')).contains('/'));
   EXPECT_FALSE(fit->save(folder.filePath("there_is_no_folder/joy.csv")));
   EXPECT_TRUE(message().contains("there_is_no_folder")) << message().toStdString();
 }

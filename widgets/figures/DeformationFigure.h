@@ -9,16 +9,26 @@
 
 namespace mien {
 
-/// What the figure of a table shows besides the table.
-struct DeformationFigureOptions {
-  std::vector<QPolygonF> faceLines;  ///< of a face, pupil units, drawn behind the regions
-  double magnification = 2.0;        ///< of the arrows
-  double spacing = 0.3;              ///< of the arrows, pupil units
-  bool coefficients = true;          ///< whether the coefficients are set below
+/// Where a table takes a point of a face, pupil units.
+struct DeformationArrow {
+  QPointF at, move;
 };
 
-/// The 16 regions on the face with their numbers, the displacement each map gives to the points of its region, and the
-/// coefficients, with their standard deviations where the table has them.
+/// What the figure of a table shows besides the table.
+struct DeformationFigureOptions {
+  std::vector<QPolygonF> faceLines;      ///< of a face, pupil units, drawn behind the regions
+  std::vector<DeformationArrow> arrows;  ///< of the same face, as the table moves it
+  bool hard = false;                     ///< whether the arrows are those of hard regions
+  double magnification = 2.0;            ///< of the arrows
+  double pupilUnit = 0.0;                ///< of the face, mm; 0: not known
+  bool coefficients = true;              ///< whether the coefficients are set below
+};
+
+/// The distance between arrows that suits a figure of that width (mm), pupil units.
+double arrowSpacing(double width);
+
+/// The 16 regions on the face with their numbers, the displacements of points of the face with a reference arrow, and
+/// the coefficients, with their standard deviations where the table has them. All arrows lie within their panel.
 ///
 /// @param width  of the figure, mm
 Plate deformationPlate(const DeformationTable& table, const FacialRegions& regions,

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double marginShare = 0.04;  // of the shown part, on every side: strokes and labels at the edge
 constexpr double arrowLength = 4.0, arrowHalfWidth = 1.4;  // pt
+constexpr double headShare = 0.5;                          // of a short arrow
 constexpr double labelGap = 1.5;                           // pt, between a point and its label
 
 QPen penOf(const PlaneStroke& stroke, const FigureTheme& theme) {
@@ -29,11 +30,11 @@ QRectF grown(const QRectF& shown) {
 }
 
 QPolygonF arrowHead(const QPointF& tail, const QPointF& tip) {
-  const QPointF along = (tip - tail) / std::max(std::hypot(tip.x() - tail.x(), tip.y() - tail.y()), 1e-9);
-  const QPointF across(-along.y(), along.x());
-  const QPointF base = tip - figureUnitsFromPoints(arrowLength) * along;
-  return QPolygonF({tip, base + figureUnitsFromPoints(arrowHalfWidth) * across,
-                    base - figureUnitsFromPoints(arrowHalfWidth) * across});
+  const double length = std::max(std::hypot(tip.x() - tail.x(), tip.y() - tail.y()), 1e-9);
+  const double head = std::min(figureUnitsFromPoints(arrowLength), headShare * length);
+  const QPointF along = (tip - tail) / length, across(-along.y(), along.x()), base = tip - head * along;
+  const QPointF side = arrowHalfWidth / arrowLength * head * across;
+  return QPolygonF({tip, base + side, base - side});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "FDTData.h"
 #include "Failure.h"
 #include "PipelineErrors.h"
+#include "PupilMarkers.h"
 #include "vtkFDTDeformationFilter.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -84,11 +85,14 @@ void deformMarkers(PointTable& markers, const DeformationTable& table, const Def
   if (!fault.empty()) throw FileFailure(file + ":" + fault);
   requireUpright(markers, pupils, file);
   const auto moved = deform(pointsOf(markers), table, options, &pupils, file);
+  PupilNormalisation normalisation;
+  normalisation.set(pupils.left, pupils.right);
   vtkIdType next = 0;
   for (NamedPoint& marker : markers.points) {
     if (!marker.seen) continue;
     const vtkIdType id = next++;
-    const bool pupil = !names.neutralPupils && (marker.name == names.leftPupil || marker.name == names.rightPupil);
+    const bool pupil = names.neutralPupils ? liesOnPupil(normalisation, marker.position)
+                                           : marker.name == names.leftPupil || marker.name == names.rightPupil;
     if (!pupil) moved->GetPoint(id, marker.position.data());
   }
 }

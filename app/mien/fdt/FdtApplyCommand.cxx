@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -72,6 +73,9 @@ void check(const Options& options, bool markers) {
     throw ValueFailure("give a table and a face: mien fdt apply joy head.ply -o smiling.ply");
   requireEnding(options.outputFile, markers ? std::vector<std::string>{"csv"} : surfaceEndings());
   const OutputFile writable(options.outputFile);
+  std::error_code different;
+  if (std::filesystem::equivalent(options.inputs.back(), options.outputFile, different))
+    throw ValueFailure("-o " + options.outputFile + " is the face that is read; give another file");
   if (!markers && options.deformation.reading.turnsAxes())
     throw ValueFailure("--y-down and --mirrored are for marker files; surfaces have y up and x to the subject's left");
   if (markers && !options.deformation.landmarks.empty())
@@ -112,10 +116,10 @@ void addFdtApplyCommand(CLI::App& parent) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = parent.add_subcommand("apply", "Move markers or any head by a table, or several");
   command
-      ->add_option(
-          "inputs", options->inputs,
-          "TABLE[:WEIGHT] .., then the face: markers FILE.csv (marker, x, y, optionally z, region), or a surface "
-          ".ply .obj .stl .off .vtp .vts")
+      ->add_option("inputs", options->inputs,
+                   "TABLE[:WEIGHT] .., weights -2 .. 2, then the face: markers FILE.csv (marker, x, y, optionally z, "
+                   "region), or a surface "
+                   ".ply .obj .stl .off .vtp .vts")
       ->required();
   command
       ->add_option("-o,--output", options->outputFile,
@@ -123,8 +127,10 @@ void addFdtApplyCommand(CLI::App& parent) {
       ->required();
   command->add_flag("--json", options->json, "Machine-readable results on stdout");
   command->add_option("--strength", options->strength, "Factor on all displacements, -2 .. 2")->capture_default_str();
-  command->add_flag("--hard", options->deformation.hard,
-                    "Every point follows the nearest region alone, as in the paper; else neighbours blend");
+  command->add_flag(
+      "--hard", options->deformation.hard,
+      "Every point follows the nearest region alone, as in the paper; else neighbours blend. The movement "
+      "fades out at the face's outline in both");
   options->deformation.reading.addTo(*command, false);
   command
       ->add_option(

@@ -31,7 +31,7 @@ void run(const Options& options) {
 void addFdtBlendCommand(CLI::App& parent) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = parent.add_subcommand("blend", "Add the displacements of tables, each times its weight");
-  command->add_option("tables", options->tables, "TABLE[:WEIGHT] .., weight 1 without one")->required();
+  command->add_option("tables", options->tables, "TABLE[:WEIGHT] .., weights -2 .. 2, 1 without one")->required();
   options->output.addTo(*command, "Table to write, FILE.csv", true);
   command->footer(
       "Example: mien fdt blend joy:0.5 surprise:0.5 -o happy_surprise.csv\n"

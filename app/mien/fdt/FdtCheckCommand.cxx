@@ -39,6 +39,7 @@ void run(const Options& options) {
     throw FileFailure(options.against +
                       ": it has no standard deviations (a1_sd ..); make a mean table with mien fdt mean");
   const TableInput input = readTableOrRecording(options.fit, options.reading, regions);
+  options.reading.refuseForTables(input.markers.has_value(), options.fit, false);
   const std::vector<int> outside = outsideRange(input.table, mean);
   Report report;
   report.rows = json::array();

@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "FdtCommands.h"
 #include "NamedTables.h"
+#include "TableDeformation.h"
 #include "TableInput.h"
 #include "TableOutput.h"
 #include "TableRecognition.h"
@@ -31,9 +32,8 @@ std::vector<std::string> candidates(const Options& options) {
   return names;
 }
 
-std::vector<RecognitionScore> scoresOf(const Options& options, const std::vector<DeformationTable>& means,
-                                       const FacialRegions& regions) {
-  const TableInput input = readTableOrRecording(options.input, options.reading, regions);
+std::vector<RecognitionScore> scoresOf(const Options& options, const TableInput& input,
+                                       const std::vector<DeformationTable>& means, const FacialRegions& regions) {
   std::vector<RecognitionScore> scores;
   const std::string fault = input.markers ? recognise(samplesOf(*input.markers, regions), means, scores)
                                           : recognise(input.table, regions, means, scores);
@@ -60,13 +60,26 @@ std::string sentence(const std::string& name, const json& regions) {
   return text;
 }
 
+/// Without movement every expression is as far away as it is strong, and the weakest would win.
+void reportStill(const Options& options) {
+  Report report;
+  report.rows = json::array();
+  report.json = {{"file", options.input}, {"expression", nullptr}, {"intensity", 0.0}, {"scores", json::object()}};
+  report.remarks = {"does not move: there is no expression to name"};
+  options.output.writeRows(report.rows);
+  options.output.print(report);
+}
+
 void run(const Options& options) {
   options.output.check();
   const FacialRegions regions = options.reading.regions();
   const std::vector<std::string> names = candidates(options);
   std::vector<DeformationTable> means;
   for (const std::string& name : names) means.push_back(readTable(name));
-  const std::vector<RecognitionScore> scores = scoresOf(options, means, regions);
+  const TableInput input = readTableOrRecording(options.input, options.reading, regions);
+  options.reading.refuseForTables(input.markers.has_value(), options.input);
+  if (fittedDisplacement(input.table, regions) < leastRecognisedMovement) return reportStill(options);
+  const std::vector<RecognitionScore> scores = scoresOf(options, input, means, regions);
   Report report;
   report.rows = json::array();
   json distances = json::object();

@@ -22,7 +22,10 @@ void addFdtCommand(CLI::App& program) {
   command->footer(
       "A TABLE is a .csv file, or one that is compiled in: joy, sadness, anger, fear, disgust, surprise (means of 12 "
       "subjects)\n"
-      "and smile (the published one). mien fdt COMMAND --help explains a command and gives an example.");
+      "and smile (the published one). doc/deformation_tables.md describes the files of tables, markers and regions; a "
+      "table's\n"
+      "column displacement is the largest displacement it was fitted to: 1.5 times that is the most it moves a point.\n"
+      "mien fdt COMMAND --help explains a command and gives an example.");
 }
 
 }  // namespace mien

@@ -48,6 +48,7 @@ FittedTable fitPair(const Options& options, const FacialRegions& regions) {
       markers.join(readPoints(options.neutral, options.reading), readPoints(options.expression, options.reading),
                    options.reading.markers(), {options.neutral, options.expression});
   if (!fault.empty()) throw FileFailure(fault);
+  takeOutGivenPupils(markers, options.reading, options.source());
   return fitMarkers(markers, regions, options.strict, options.source());
 }
 

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "DepthMovement.h"
 #include "FaceFrame.h"
 #include "FaceOptions.h"
 #include "FacePipeline.h"
@@ -11,6 +12,7 @@
 #include "FittedTable.h"
 #include "Remarks.h"
 #include "TableOutput.h"
+#include "TableRecognition.h"
 #include "TableRows.h"
 #include "vtkNew.h"
 #include "vtkStructuredGrid.h"
@@ -27,6 +29,7 @@ constexpr int defaultRows = 164, defaultColumns = 160;
 struct Options {
   std::string expressions;
   FaceOptions face;
+  MarkerFileOptions reading;
   TableOutput output;
 };
 
@@ -51,46 +54,34 @@ vtkSmartPointer<vtkStructuredGrid> copyOf(vtkStructuredGrid* grid) {
   return copy;
 }
 
-/// RMS of the movement in depth of each region's points that are wholly on the face, mm: what no table carries.
+/// Of the movement in depth, which no table carries.
 struct Depths {
-  std::array<double, FacialRegions::count> rms{};
-  double all = 0.0, unit = 1.0;
-
-  Depths(vtkStructuredGrid* neutral, vtkStructuredGrid* moved, const FacialRegions& regions) {
-    FaceFrame before, after;
-    for (const auto& [grid, frame] : {std::pair(neutral, &before), std::pair(moved, &after)}) {
-      const std::string fault = readFaceFrame(grid, {}, regions, *frame);
-      if (!fault.empty()) throw FileFailure(fault);
-    }
-    unit = before.pupils.unit();
-    std::array<long, FacialRegions::count> counts{};
-    long count = 0;
-    for (std::size_t i = 0; i < before.points.size(); ++i) {
-      const DeformationPoint& point = before.points[i];
-      const Eigen::Vector3d place = before.pupils.apply(point.position);
-      if (coverageOf(regions, place, point) < 1.0) continue;
-      const double depth = unit * (after.pupils.apply(after.points[i].position).z() - place.z());
-      const int region = regions.nearest(place.head<2>(), point.side) - 1;
-      rms[region] += depth * depth;
-      ++counts[region];
-      all += depth * depth;
-      ++count;
-    }
-    for (int i = 0; i < FacialRegions::count; ++i) rms[i] = counts[i] ? std::sqrt(rms[i] / counts[i]) : 0.0;
-    all = count ? std::sqrt(all / count) : 0.0;
-  }
+  DepthMovement movement;
+  double unit;  ///< half the distance between the pupils, mm
 };
+
+FaceFrame frameOf(vtkStructuredGrid* grid, const FacialRegions& regions) {
+  FaceFrame frame;
+  const std::string fault = readFaceFrame(grid, {}, regions, frame);
+  if (!fault.empty()) throw FileFailure(fault);
+  return frame;
+}
+
+Depths depthsBetween(vtkStructuredGrid* neutral, vtkStructuredGrid* moved, const FacialRegions& regions) {
+  const FaceFrame before = frameOf(neutral, regions), after = frameOf(moved, regions);
+  return {DepthMovement({before.points, before.pupils}, {after.points, after.pupils}, regions), before.pupils.unit()};
+}
 
 Report reportOf(const FittedTable& fitted, const Depths& depths, const FacialRegions& regions) {
   Report report;
   report.json = fitted.description(regions);
   report.json["rms_mm"] = depths.unit * fitted.rms;
-  report.json["depth_mm"] = depths.all;
+  report.json["depth_mm"] = depths.unit * depths.movement.all;
   report.rows = json::array();
   for (int region = 1; region <= FacialRegions::count; ++region) {
     json& about = report.json["regions"][region - 1];
     about["rms_mm"] = depths.unit * fitted.regions[region - 1].rms;
-    about["depth_mm"] = depths.rms[region - 1];
+    about["depth_mm"] = depths.unit * depths.movement.regions[region - 1];
     report.rows.push_back({{"region", std::to_string(region) + " " + regions.name(region)},
                            {"points", about["points"]},
                            {"rms", about["rms"]},
@@ -98,13 +89,14 @@ Report reportOf(const FittedTable& fitted, const Depths& depths, const FacialReg
                            {"depth_mm", about["depth_mm"]}});
   }
   report.remarks = {"RMS " + readableNumber(fitted.rms) + " pupil units, " + readableNumber(depths.unit * fitted.rms) +
-                    " mm; depth_mm is the movement in depth (RMS " + readableNumber(depths.all) +
+                    " mm; depth_mm is the movement in depth (RMS " + readableNumber(depths.unit * depths.movement.all) +
                     " mm), which no table carries"};
   return report;
 }
 
 void run(Options& options) {
   options.output.check();
+  const FacialRegions regions = options.reading.regions();
   if (!options.expressions.empty()) options.face.setExpressions(options.expressions);
   FaceState state = options.face.state();
   if (!movesAnything(state))
@@ -117,11 +109,13 @@ void run(Options& options) {
   pipeline.setState(neutralOf(pipeline.state()));
   updateOrThrow(pipeline);
   const auto neutral = copyOf(pipeline.grid());
-  const MarkerFileOptions reading;
-  const FacialRegions regions = reading.regions();
   const std::string face = state.curvesFile.empty() ? "generic face" : state.curvesFile;
-  const FittedTable fitted = fitSurfaces(neutral, moved, reading, "", false, face);
+  const FittedTable fitted = fitSurfaces(neutral, moved, options.reading, "", false, face);
   if (!fitted.warning.empty()) std::cerr << "mien: " << face << ": " << fitted.warning << "\n";
+  if (fitted.table.largestDisplacement < leastRecognisedMovement)
+    std::cerr << "mien: the face does not move" << (state.fapFile.empty() ? "" : " in this frame")
+              << ", so the table moves nothing; choose "
+              << (state.fapFile.empty() ? "more intensity" : "another with --frame, --index or --time") << "\n";
   std::string what = state.fapFile;
   for (const auto& [name, strength] : state.visemes)
     what += (what.empty() ? "viseme " : ", viseme ") + name + ":" + readableNumber(strength);
@@ -129,7 +123,7 @@ void run(Options& options) {
     what += (what.empty() ? "" : ", ") + name + ":" + readableNumber(intensity);
   options.output.write(fitted.table, "Fitted to " + (what.empty() ? "FAPs" : what) + " of the " + face + ", RMS " +
                                          readableNumber(fitted.rms) + " pupil units; Mien " MIEN_VERSION);
-  options.output.print(reportOf(fitted, Depths(neutral, moved, regions), regions));
+  options.output.print(reportOf(fitted, depthsBetween(neutral, moved, regions), regions));
 }
 
 }  // namespace
@@ -142,6 +136,7 @@ void addFdtFromFapCommand(CLI::App& parent) {
   options->output.addTo(*command, "Table to write, FILE.csv");
   options->face.setDefaultResolution(defaultRows, defaultColumns);
   options->face.addAll(*command);
+  options->reading.addRegionsTo(*command);
   expressions->excludes(command->get_option("--expression"));
   command->footer(
       "Example: mien fdt from-fap joy -o joy.csv && mien fdt apply joy.csv head.ply --landmarks head68.csv -o "

@@ -56,6 +56,7 @@ void run(const Options& options) {
     }
     report.json["files"].push_back(about);
   }
+  options.reading.refuseForTables(recordings > 0, "what was given");
   const DeformationTable mean = meanTable(tables);
   options.output.write(mean, options.comment.empty()
                                  ? "Mean of " + std::to_string(tables.size()) +
@@ -68,6 +69,8 @@ void run(const Options& options) {
   report.remarks = {
       "mean of " + std::to_string(tables.size()) +
       (recordings ? " tables; mean RMS of the fits " + readableNumber(sum / recordings) + " pupil units" : " tables")};
+  if (tables.size() == 1)
+    report.remarks.push_back("one table has no spread: give several for standard deviations that mean something");
   options.output.print(report);
 }
 

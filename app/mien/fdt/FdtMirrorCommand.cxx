@@ -45,7 +45,7 @@ void addFdtMirrorCommand(CLI::App& parent) {
   CLI::App* command = parent.add_subcommand("mirror", "The table of the mirrored face");
   command->add_option("table", options->table, "Table")->required();
   options->output.addTo(*command, "Table to write, FILE.csv", true);
-  options->reading.addTo(*command, false);
+  options->reading.addRegionsTo(*command);
   command->footer(
       "Example: mien fdt mirror smile -o mirrored.csv\n"
       "         mien fdt blend smile:0.5 mirrored.csv:0.5 -o even_smile.csv");

@@ -3,6 +3,8 @@
 
 #include "Arguments.h"
 #include "DeformationFigure.h"
+#include "DeviationText.h"
+#include "FaceArrows.h"
 #include "FaceLines.h"
 #include "Failure.h"
 #include "FdtCommands.h"
@@ -20,7 +22,7 @@ using json = nlohmann::ordered_json;
 struct Options {
   std::string table, magnification = "2";
   bool noCoefficients = false;
-  MarkerFileOptions reading;
+  DeformationOptions deformation;
   ReportOptions report;
 };
 
@@ -43,13 +45,8 @@ json coefficientRows(const DeformationTable& table) {
 }
 
 std::string readableCoefficient(const DeformationTable& table, int region, int row, int column) {
-  char text[64];
   const double value = table.maps[region].coefficients(row, column);
-  if (table.deviations)
-    std::snprintf(text, sizeof text, "%.3f+-%.3f", value, table.deviations->at(region)(row, column));
-  else
-    std::snprintf(text, sizeof text, "%.3f", value);
-  return text;
+  return table.deviations ? rangeText(value, table.deviations->at(region)(row, column), "+-") : fixedText(value);
 }
 
 /// Two rows a region, x' and y', so that a line fits a terminal.
@@ -84,15 +81,39 @@ json regionList(const DeformationTable& table, const FacialRegions& regions) {
   return list;
 }
 
-void run(const Options& options) {
-  options.report.check();
+DeformationFigureOptions drawingOf(const Options& options) {
   DeformationFigureOptions drawing;
   drawing.magnification = parseNumber("--arrows", options.magnification);
   if (!(drawing.magnification > 0.0 && drawing.magnification <= 100.0))
-    throw ValueFailure("--arrows is outside 0 .. 100; 1 draws displacements in the face's own scale");
+    throw ValueFailure(
+        "--arrows " + options.magnification +
+        " is not allowed; give a factor above 0 and at most 100: 1 draws displacements in the face's own "
+        "scale");
   drawing.coefficients = !options.noCoefficients;
-  const FacialRegions regions = options.reading.regions();
-  const DeformationTable table = readTableOrRecording(options.table, options.reading, regions).table;
+  drawing.hard = options.deformation.hard;
+  return drawing;
+}
+
+Plate plateOf(const Options& options, const DeformationTable& table, const FacialRegions& regions, double width) {
+  DeformationFigureOptions drawing = drawingOf(options);
+  const FaceArrows face = genericFaceArrows(table, options.deformation, arrowSpacing(width));
+  drawing.faceLines = genericFaceLines(regions);
+  drawing.arrows = face.arrows;
+  drawing.pupilUnit = face.pupilUnit;
+  Plate plate = deformationPlate(table, regions, drawing, width);
+  plate.title = "Deformation table " + shortTableName(options.table);
+  plate.note = options.table + "; on the generic face; Mien " MIEN_VERSION;
+  return plate;
+}
+
+void run(const Options& options) {
+  options.report.check();
+  drawingOf(options);
+  const MarkerFileOptions& reading = options.deformation.reading;
+  const FacialRegions regions = reading.regions();
+  const TableInput input = readTableOrRecording(options.table, reading, regions);
+  reading.refuseForTables(input.markers.has_value(), options.table);
+  const DeformationTable& table = input.table;
   Report report;
   report.rows = coefficientRows(table);
   report.readable = readableRows(table, regions);
@@ -103,13 +124,7 @@ void run(const Options& options) {
                  {"regions", regionList(table, regions)}};
   report.remarks = {"largest displacement " + readableNumber(largest) + " pupil units" +
                     (table.deviations ? "; +- is one standard deviation" : "")};
-  report.plate = [&](double width) {
-    drawing.faceLines = genericFaceLines(regions);
-    Plate plate = deformationPlate(table, regions, drawing, width);
-    plate.title = "Deformation table " + shortTableName(options.table);
-    plate.note = options.table + "; face lines of the generic face; Mien " MIEN_VERSION;
-    return plate;
-  };
+  report.plate = [&](double width) { return plateOf(options, table, regions, width); };
   options.report.deliver(report, "mien fdt show " + options.table);
 }
 
@@ -124,7 +139,11 @@ void addFdtShowCommand(CLI::App& parent) {
       ->capture_default_str()
       ->group("Chart");
   command->add_flag("--no-coefficients", options->noCoefficients, "Only the drawings")->group("Chart");
-  options->reading.addTo(*command, true);
+  command
+      ->add_flag("--hard", options->deformation.hard,
+                 "Arrows of hard regions, as mien fdt apply --hard moves points; else of smooth ones")
+      ->group("Chart");
+  options->deformation.reading.addTo(*command, true);
   command->footer(
       "Example: mien fdt show joy -o joy.pdf -o joy.svg --width 170\n"
       "         mien fdt show anna_joy.csv --json\n"

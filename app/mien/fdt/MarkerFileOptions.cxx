@@ -1,10 +1,13 @@
 #include "MarkerFileOptions.h"
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 
 #include "Arguments.h"
 #include "FaceFrame.h"
 #include "Failure.h"
+#include "NumberText.h"
+#include "PupilMarkers.h"
 #include "TextFileReader.h"
 
 namespace mien {
@@ -28,6 +31,15 @@ bool arePlaces(const std::vector<std::string>& parts) {
   return parts.size() == 4 || parts.size() == 6;
 }
 
+/// Two numbers are more often half of two places than names.
+std::string withPlacesHint(const std::string& fault, const MarkerOptions& options) {
+  const bool numbers =
+      parseNumber(std::string_view(options.leftPupil)) && parseNumber(std::string_view(options.rightPupil));
+  if (!numbers || fault.find("pupil " + options.leftPupil) == std::string::npos) return fault;
+  return fault + "; --pupils " + options.leftPupil + "," + options.rightPupil +
+         " names two markers, places are x,y,x,y or x,y,z,x,y,z";
+}
+
 ValueFailure noPupils(const std::string& option, const std::string& text, bool names) {
   return ValueFailure(option + " '" + text + "' is no pair of pupils; give " +
                       (names ? "the names of two markers, or " : "") +
@@ -46,9 +58,34 @@ void MarkerFileOptions::addTo(CLI::App& command, bool twoStates) {
   if (twoStates)
     add("--expression-pupils", expressionPupils_, "Places of the pupils in the expression [those of --pupils]")
         ->needs(pupils);
-  add("--regions", regionFile_, "Region map of your own, FILE.json [the 16 regions compiled in]");
+  addRegionsTo(command);
   command.add_flag("--y-down", yDown_, "y runs downwards, as in images")->group("Reading faces");
   command.add_flag("--mirrored", mirrored_, "The pictures show the face as a mirror does")->group("Reading faces");
+}
+
+void MarkerFileOptions::addRegionsTo(CLI::App& command) {
+  command
+      .add_option(
+          "--regions", regionFile_,
+          "Region map of your own, FILE.json as doc/deformation_tables.md describes it [the 16 regions compiled "
+          "in]")
+      ->group("Reading faces");
+}
+
+MarkerFileOptions MarkerFileOptions::regionsOnly() const {
+  MarkerFileOptions options;
+  options.regionFile_ = regionFile_;
+  return options;
+}
+
+void MarkerFileOptions::refuseForTables(bool isRecording, const std::string& file, bool regions) const {
+  if (isRecording) return;
+  const std::string given = yDown_                             ? "--y-down"
+                            : mirrored_                        ? "--mirrored"
+                            : !pupils_.empty()                 ? "--pupils"
+                            : !regions && !regionFile_.empty() ? "--regions"
+                                                               : "";
+  if (!given.empty()) throw ValueFailure(given + " is for recordings of markers; " + file + " is a table");
 }
 
 MarkerOptions MarkerFileOptions::markers() const {
@@ -88,10 +125,23 @@ std::string readMarkerText(const std::string& file) {
 }
 
 MarkerTable readRecording(const std::string& file, const MarkerFileOptions& options) {
+  return parseRecording(readMarkerText(file), file, options);
+}
+
+MarkerTable parseRecording(const std::string& text, const std::string& file, const MarkerFileOptions& options) {
   MarkerTable markers;
-  const std::string fault = markers.parse(readMarkerText(file), options.markers());
-  if (!fault.empty()) throw FileFailure(file + ":" + fault);
+  const std::string fault = markers.parse(text, options.markers());
+  if (!fault.empty()) throw FileFailure(file + ":" + withPlacesHint(fault, options.markers()));
+  takeOutGivenPupils(markers, options, file);
   return markers;
+}
+
+void takeOutGivenPupils(MarkerTable& markers, const MarkerFileOptions& options, const std::string& file) {
+  if (!options.markers().neutralPupils) return;
+  std::string names;
+  for (const std::string& name : takeOutPupils(markers)) names += (names.empty() ? "" : ", ") + name;
+  if (!names.empty())
+    std::cerr << "mien: " << file << ": " << names << ": on a pupil that was given by place, so left out of the fit\n";
 }
 
 PointTable readPoints(const std::string& file, const MarkerFileOptions& options) {

@@ -17,6 +17,16 @@ class MarkerFileOptions {
   /// @param twoStates  whether the pupils of a second state can be given
   void addTo(CLI::App& command, bool twoStates);
 
+  /// Only --regions, for commands that read no markers.
+  void addRegionsTo(CLI::App& command);
+
+  /// The same region map, all else as by default.
+  MarkerFileOptions regionsOnly() const;
+
+  /// Throws a ValueFailure when options were given that say how markers are read, and `file` has none but is a table.
+  /// @param regions  whether the command has a use for --regions
+  void refuseForTables(bool isRecording, const std::string& file, bool regions = true) const;
+
   /// Names or places of the pupils, direction of the axes. Throws a ValueFailure for text that is none.
   MarkerOptions markers() const;
 
@@ -35,8 +45,13 @@ class MarkerFileOptions {
 /// The text of a file of markers or a table; a FileFailure when it cannot be read.
 std::string readMarkerText(const std::string& file);
 
-/// A recording of markers before and after; a FileFailure that names file and line.
+/// A recording of markers before and after, in which those that lie on pupils given by place do not count, which is
+/// said on stderr; a FileFailure that names file and line.
 MarkerTable readRecording(const std::string& file, const MarkerFileOptions& options);
+MarkerTable parseRecording(const std::string& text, const std::string& file, const MarkerFileOptions& options);
+
+/// Takes out of a recording the markers on pupils that were given by place, and says so on stderr.
+void takeOutGivenPupils(MarkerTable& markers, const MarkerFileOptions& options, const std::string& file);
 
 /// The markers of one state; a FileFailure that names file and line.
 PointTable readPoints(const std::string& file, const MarkerFileOptions& options);

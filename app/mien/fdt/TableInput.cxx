@@ -1,20 +1,17 @@
 #include "TableInput.h"
 
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <sstream>
 
-#include "Arguments.h"
 #include "CommaText.h"
 #include "Failure.h"
 #include "NamedTables.h"
+#include "TableList.h"
 
 namespace mien {
 
 namespace {
-
-constexpr double largestWeight = 10.0;
 
 /// Whether the first line that is no comment names the column `marker`.
 bool isRecording(const std::string& text) {
@@ -38,11 +35,14 @@ DeformationTable readTable(const std::string& nameOrFile) {
 
 DeformationTable readWeightedTables(const std::vector<std::string>& texts) {
   std::vector<std::pair<DeformationTable, double>> tables;
+  std::error_code ignored;
   for (const std::string& text : texts) {
-    const auto [name, weight] = parseWeighted("the weight of", text);
-    if (!(std::abs(weight) <= largestWeight))
-      throw ValueFailure("the weight in '" + text + "' is outside -10 .. 10; 1 is the table as it is");
-    tables.emplace_back(readTable(name), weight);
+    std::vector<WeightedName> parts;
+    const std::string fault =
+        namedTable(text) || std::filesystem::is_regular_file(text, ignored) ? "" : parseTableList(text, parts);
+    if (!fault.empty()) throw ValueFailure(fault);
+    if (parts.empty()) parts.push_back({text, 1.0});
+    for (const WeightedName& part : parts) tables.emplace_back(readTable(part.name), part.weight);
   }
   return DeformationTable::weighted(tables);
 }
@@ -52,12 +52,13 @@ TableInput readTableOrRecording(const std::string& nameOrFile, const MarkerFileO
   TableInput input;
   input.name = nameOrFile;
   std::error_code ignored;
-  if (namedTable(nameOrFile) || !std::filesystem::is_regular_file(nameOrFile, ignored) ||
-      !isRecording(readMarkerText(nameOrFile))) {
+  const bool isFile = !namedTable(nameOrFile) && std::filesystem::is_regular_file(nameOrFile, ignored);
+  const std::string text = isFile ? readMarkerText(nameOrFile) : std::string();
+  if (!isRecording(text)) {
     input.table = readTable(nameOrFile);
     return input;
   }
-  input.markers = readRecording(nameOrFile, options);
+  input.markers = parseRecording(text, nameOrFile, options);
   const FittedTable fitted = fitMarkers(*input.markers, regions, false, nameOrFile);
   if (!fitted.warning.empty()) std::cerr << "mien: " << nameOrFile << ": " << fitted.warning << "\n";
   input.table = fitted.table;

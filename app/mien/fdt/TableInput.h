@@ -14,7 +14,7 @@ namespace mien {
 /// A table by its compiled in name or from a file; a FileFailure for one that is none.
 DeformationTable readTable(const std::string& nameOrFile);
 
-/// Tables with weights, TABLE[:WEIGHT] each: the sum of their displacements.
+/// Tables with weights, TABLE[:WEIGHT] each, weights -2 .. 2: the sum of their displacements.
 DeformationTable readWeightedTables(const std::vector<std::string>& texts);
 
 /// What a command takes that accepts recordings in place of tables.

@@ -8,6 +8,9 @@
 
 namespace mien {
 
+/// The largest displacement (pupil units; 0.3 mm) below which the nearest expression means nothing.
+constexpr double leastRecognisedMovement = 0.01;
+
 /// How near a recording is to an expression, and where the two differ most.
 struct RecognitionScore {
   int expression = 0;      ///< index of the mean

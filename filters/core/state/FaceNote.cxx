@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "NumberText.h"
+#include "TableTitle.h"
 
 namespace mien {
 
@@ -54,7 +55,7 @@ std::string weighted(const std::string& name, double weight) {
 }
 
 std::string deformationText(const FaceDeformation& deformation) {
-  return weighted("deformation table " + fileName(deformation.table), deformation.strength) +
+  return weighted("deformation table " + fileName(tableTitle(deformation.table)), deformation.strength) +
          (deformation.smooth ? "" : " in hard regions");
 }
 

@@ -1,0 +1,147 @@
+#include "vtkFDTCurveFilter.h"
+
+#include <cmath>
+
+#include "BoundaryCurveData.h"
+#include "DefaultRegions.h"
+#include "FDTData.h"
+#include "FaceLayout.h"
+#include "GridSides.h"
+#include "MouthCorners.h"
+#include "TableDeformation.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+vtkStandardNewMacro(vtkFDTCurveFilter);
+
+namespace {
+
+using namespace mien;
+
+constexpr double upperLid = 8.0, lowerLid = 9.0;  // indices of C9 and C10
+constexpr double fullTurn = 2.0 * 3.14159265358979323846;
+
+/// The curves as rows of a grid around the head, in its own frame.
+struct CurveRows {
+  FaceCurves face;
+  HeadRotation turned;
+  PupilNormalisation pupils;
+
+  std::string read(vtkPolyData* data) {
+    std::string fault = readFaceCurves(data, face);
+    if (fault.empty()) fault = readHeadRotation(data->GetFieldData(), turned);
+    if (!fault.empty()) return fault;
+    const MouthCorners corners(face);
+    mouthBegin = corners.begin;
+    mouthEnd = corners.end;
+    turned.undo(face.curves.points);
+    const auto unturned = [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+      return turned.rotation.transpose() * (p - turned.centre) + turned.centre;
+    };
+    return pupils.set(unturned(face.leftPupil), unturned(face.rightPupil));
+  }
+
+  Eigen::Vector3d point(int row, int column) const { return face.curves.curve(row).row(column).transpose(); }
+
+  std::vector<FaceSide> sides(const FacialRegions& regions) const {
+    GridSlits slits;
+    slits.rows = face.curves.count;
+    slits.columns = face.curves.pointsPerCurve;
+    if (mouthEnd > mouthBegin) slits.upperLip = FaceLayout::upperLip;
+    slits.openBegin = static_cast<int>(std::floor(mouthBegin / fullTurn * slits.columns));
+    slits.openEnd = static_cast<int>(std::ceil(mouthEnd / fullTurn * slits.columns));
+    slits.upperLid = upperLid;
+    slits.lowerLid = lowerLid;
+    return gridSides(
+        slits, [this](int row, int column) { return point(row, column); }, regions, pupils);
+  }
+
+  /// A ring around the head looks away from its own middle.
+  std::vector<DeformationPoint> points(const FacialRegions& regions) const {
+    const std::vector<FaceSide> all = sides(regions);
+    std::vector<DeformationPoint> result(all.size());
+    for (int row = 0; row < face.curves.count; ++row) {
+      const Eigen::Vector3d middle = face.curves.curve(row).colwise().mean().transpose();
+      for (int column = 0; column < face.curves.pointsPerCurve; ++column) {
+        DeformationPoint& p = result[row * face.curves.pointsPerCurve + column];
+        p.position = point(row, column);
+        p.normalZ = (p.position - middle).normalized().z();
+        p.side = all[row * face.curves.pointsPerCurve + column];
+      }
+    }
+    return result;
+  }
+
+ private:
+  double mouthBegin = 0.0, mouthEnd = 0.0;
+};
+
+/// Moves the points of the output, which are stored curve after curve as readFaceCurves() has them.
+void movePoints(vtkPolyData* output, const CurveRows& rows, const std::vector<Eigen::Vector2d>& moves) {
+  vtkDataArray* before = output->GetPointData()->GetArray("Displacement");
+  vtkNew<vtkDoubleArray> displacement;
+  displacement->SetName("Displacement");
+  displacement->SetNumberOfComponents(3);
+  displacement->SetNumberOfTuples(output->GetNumberOfPoints());
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(output->GetPoints());
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const auto id = static_cast<vtkIdType>(i);
+    const Eigen::Vector3d move = rows.turned.rotation.leftCols<2>() * moves[i];
+    Eigen::Vector3d place, sum = Eigen::Vector3d::Zero();
+    points->GetPoint(id, place.data());
+    points->SetPoint(id, (place + move).eval().data());
+    if (before && before->GetNumberOfComponents() == 3) before->GetTuple(id, sum.data());
+    displacement->SetTuple(id, (sum + move).eval().data());
+  }
+  output->SetPoints(points);
+  output->GetPointData()->AddArray(displacement);
+}
+
+}  // namespace
+
+vtkFDTCurveFilter::vtkFDTCurveFilter() {
+  this->SetNumberOfInputPorts(2);
+}
+
+int vtkFDTCurveFilter::FillInputPortInformation(int port, vtkInformation* info) {
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkTable");
+  return 1;
+}
+
+int vtkFDTCurveFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+  vtkPolyData *input = vtkPolyData::GetData(inputs[0]), *output = vtkPolyData::GetData(outputs);
+  if (input->GetNumberOfPoints() == 0) return 1;
+  mien::DeformationTable table;
+  CurveRows rows;
+  std::string fault = mien::readFDT(vtkTable::GetData(inputs[1]), table);
+  if (fault.empty() && !std::isfinite(this->Strength)) fault = "the strength is not finite; give 0 to 1.5";
+  if (fault.empty()) fault = rows.read(input);
+  if (fault.empty() && rows.face.curves.points.rows() != input->GetNumberOfPoints())
+    fault = "there are points beside the 29 curves; give the curves alone";
+  if (!fault.empty()) {
+    vtkErrorMacro(<< fault);
+    return 0;
+  }
+  const mien::FacialRegions& regions = mien::defaultRegions();
+  const mien::TableDeformation deformation(rows.points(regions), rows.pupils, regions, this->Smooth);
+  std::vector<Eigen::Vector2d> moves(deformation.size());
+  deformation.displacements(table, mien::fittedDisplacement(table, regions), this->Strength, 0, moves.size(),
+                            moves.data());
+  output->ShallowCopy(input);
+  movePoints(output, rows, moves);
+  return 1;
+}
+
+void vtkFDTCurveFilter::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Strength: " << this->Strength << "\n";
+  os << indent << "Smooth: " << (this->Smooth ? "on" : "off") << "\n";
+}
