@@ -63,19 +63,15 @@ struct CurveRows {
         slits, [this](int row, int column) { return point(row, column); }, regions, pupils);
   }
 
-  /// A ring around the head looks away from its own middle.
   std::vector<DeformationPoint> points(const FacialRegions& regions) const {
     const std::vector<FaceSide> all = sides(regions);
     std::vector<DeformationPoint> result(all.size());
-    for (int row = 0; row < face.curves.count; ++row) {
-      const Eigen::Vector3d middle = face.curves.curve(row).colwise().mean().transpose();
+    for (int row = 0; row < face.curves.count; ++row)
       for (int column = 0; column < face.curves.pointsPerCurve; ++column) {
         DeformationPoint& p = result[row * face.curves.pointsPerCurve + column];
         p.position = point(row, column);
-        p.normalZ = (p.position - middle).normalized().z();
         p.side = all[row * face.curves.pointsPerCurve + column];
       }
-    }
     return result;
   }
 
