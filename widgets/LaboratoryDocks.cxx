@@ -12,6 +12,7 @@
 #include "FaceView.h"
 #include "SmoothingPanel.h"
 #include "SpectrumPanel.h"
+#include "TexturePanel.h"
 #include "TimelinePanel.h"
 #include "VectorPanel.h"
 #include "ViewFrame.h"
@@ -30,15 +31,20 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
     : QObject(window), view_(view), window_(window) {
   window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   plot_ = add("plotDock", tr("FAPs over time"), new FAPPlotPanel(model, player));
-  QDockWidget* vectors = add("vectorsDock", tr("Motion vectors"), new VectorPanel(model, view));
-  connect(vectors->toggleViewAction(), &QAction::triggered, this, [this, vectors](bool shown) {
-    const int height = std::max(pictureHeight, static_cast<int>(pictureShare * window_->height()));
-    if (shown && vectors->height() < height) window_->resizeDocks({vectors}, {height}, Qt::Vertical);
-  });
+  giveHeight(add("vectorsDock", tr("Motion vectors"), new VectorPanel(model, view)));
   add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
   add("deformationDock", tr("Deformation"), new DeformationPanel(model, view));
+  giveHeight(add("textureDock", tr("Texture"), new TexturePanel(model, view)));
+}
+
+/// A dock that shows a picture itself is higher than a table when it is opened.
+void LaboratoryDocks::giveHeight(QDockWidget* dock) {
+  connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
+    const int height = std::max(pictureHeight, static_cast<int>(pictureShare * window_->height()));
+    if (shown && dock->height() < height) window_->resizeDocks({dock}, {height}, Qt::Vertical);
+  });
 }
 
 QDockWidget* LaboratoryDocks::add(const QString& name, const QString& title, QWidget* panel) {
