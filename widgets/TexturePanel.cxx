@@ -54,7 +54,9 @@ TexturePanel::TexturePanel(FaceModel* model, FaceView* view, QWidget* parent)
       progress_(new QProgressBar(this)) {
   setObjectName("texturePanel");
   setAcceptDrops(true);
-  describeControls();
+  describeButtons();
+  describeChoices();
+  describeViews();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 4, 8, 6);
   column->setSpacing(4);
@@ -77,7 +79,7 @@ void TexturePanel::describeButton(QToolButton* button, const QString& name, cons
   button->setFocusPolicy(Qt::TabFocus);
 }
 
-void TexturePanel::describeControls() {
+void TexturePanel::describeButtons() {
   describeButton(open_, "textureOpen", tr("Photograph..."),
                  tr("A photograph of a face from the front (.png, .jpg, .tif), with the mesh that lies beside it "
                     "(.csv); it can be dropped on this dock as well"));
@@ -91,6 +93,9 @@ void TexturePanel::describeControls() {
   describeButton(save_, "textureSave", tr("Save mesh..."),
                  tr("Writes the mesh as .csv; beside the photograph under its name it is found by itself"));
   describeButton(cancel_, "textureCancel", tr("Cancel"), tr("Ends the work; what was shown stays"));
+}
+
+void TexturePanel::describeChoices() {
   on_->setObjectName("textureOn");
   on_->setToolTip(tr("Whether the face shows the photograph"));
   fine_->setObjectName("textureFine");
@@ -98,6 +103,9 @@ void TexturePanel::describeControls() {
   mirror_->setObjectName("textureMirror");
   mirror_->setChecked(true);
   mirror_->setToolTip(tr("The point on the other side of the middle moves as the mirror image"));
+}
+
+void TexturePanel::describeViews() {
   mesh_->setObjectName("textureMesh");
   mesh_->setAccessibleName(tr("Photograph with its mesh"));
   mesh_->setToolTip(

@@ -34,7 +34,9 @@ class TexturePanel : public QWidget {
   QWidget* controls();
   QWidget* statusRow();
   void describeButton(QToolButton* button, const QString& name, const QString& text, const QString& tip);
-  void describeControls();
+  void describeButtons();
+  void describeChoices();
+  void describeViews();
   void connectControls();
   void chooseImage();
   void chooseMesh();
