@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QSaveFile>
 
 #include "FaceModel.h"
@@ -10,6 +11,12 @@
 #include "FigureFile.h"
 
 namespace mien {
+
+namespace {
+
+constexpr int longestName = 60;  // characters of a name that is suggested
+
+}  // namespace
 
 ExportButton::ExportButton(const QString& objectName, FaceModel* model, std::function<ExportDrawing()> figure,
                            std::function<std::string()> numbers, QWidget* parent)
@@ -32,11 +39,18 @@ ExportButton::ExportButton(const QString& objectName, FaceModel* model, std::fun
 }
 
 void ExportButton::ask(const QString& ending, const QString& description) {
-  QString name =
-      QFileDialog::getSaveFileName(window(), tr("Export"), QString(), QString("%1 (*.%2)").arg(description, ending));
+  QString name = QFileDialog::getSaveFileName(window(), tr("Export"), suggestedName(ending),
+                                              QString("%1 (*.%2)").arg(description, ending));
   if (name.isEmpty()) return;
   if (QFileInfo(name).suffix().isEmpty()) name += '.' + ending;
   write(name);
+}
+
+QString ExportButton::suggestedName(const QString& ending) const {
+  QString name = QString::fromStdString(figure_().title).toLower();
+  name.replace(QRegularExpression("[^\\w.=-]+"), "_");
+  name = name.left(longestName);
+  return name.isEmpty() ? QString() : name + '.' + ending;
 }
 
 std::string ExportButton::writeFigure(const std::string& fileName) const {

@@ -23,6 +23,9 @@ class ExportButton : public QToolButton {
   /// The ending decides on the format. The message bar says what went wrong. @return whether it was written
   bool write(const QString& fileName);
 
+  /// A name for the figure as it is now, made of its title: "joy_against_the_neutral_face.svg".
+  QString suggestedName(const QString& ending) const;
+
  private:
   void ask(const QString& ending, const QString& description);
   std::string writeFigure(const std::string& fileName) const;

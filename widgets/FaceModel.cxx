@@ -8,6 +8,7 @@
 
 #include "AnimationData.h"
 #include "FAPTable.h"
+#include "FaceNote.h"
 #include "HighLevelFAPs.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
@@ -16,7 +17,8 @@ namespace mien {
 
 namespace {
 
-constexpr int headGroup = 7;  // of the standard
+constexpr int headGroup = 7;          // of the standard
+constexpr size_t mostTitledFAPs = 3;  // of more only their number is told
 
 QString numbers(const std::vector<int>& values) {
   QStringList texts;
@@ -182,6 +184,14 @@ double FaceModel::framePosition() const {
 /// Half a millionth of a frame is rounding of a time, as in FAPSequence.
 int FaceModel::frameIndex() const {
   return static_cast<int>(std::floor(framePosition() + 1e-6));
+}
+
+std::string FaceModel::frameText() const {
+  return frameCount() > 0 ? "frame " + frameNumber().toStdString() : std::string();
+}
+
+std::string FaceModel::motionText() const {
+  return mien::motionText(state(), frameText(), mostTitledFAPs);
 }
 
 QString FaceModel::frameNumber() const {

@@ -48,6 +48,8 @@ class FaceModel : public QObject {
   int frameIndex() const;           ///< from 0; between two frames that of the one before
   double framePosition() const;     ///< from 0; between two frames only while interpolating
   QString frameNumber() const;      ///< as written in the file
+  std::string frameText() const;    ///< "frame 100"; empty without an animation
+  std::string motionText() const;   ///< what moves the face, in words; empty at rest
   void showFrame(double position);  ///< from 0; brought to the nearer end when outside
 
   /// Whether positions between two frames show their linear mixture, not the frame before. Default: off.

@@ -114,7 +114,7 @@ void LiveMotion::draw(Held& held, MotionResult& result) {
   }
   result.figure = figure;
   VectorPictureOptions all = asked.picture;
-  all.hidden = all.hidden || all.sampling.kind == VectorSampling::Kind::Every;
+  all.hidden = all.hidden || all.sampling.kind != VectorSampling::Kind::Even;
   result.chosen =
       all.hidden == asked.picture.hidden ? pictureOf(*figure).chosen : drawnVectors(*result.field, all).chosen;
 }

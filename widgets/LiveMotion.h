@@ -18,7 +18,9 @@ struct MotionField;
 /// What is drawn, and against what.
 struct MotionRequest {
   FaceState moved, origin;
+  std::string movedName;        ///< in words
   std::string originName;       ///< of the origin, in words
+  std::string frames;           ///< "frame 100"; empty without an animation
   MotionVectorOptions options;  ///< without a region
   std::string region;           ///< as VectorRegion reads it; empty: the whole face
   bool headMotionRemoved = false;

@@ -63,15 +63,15 @@ OriginChooser::OriginChooser(FaceModel* model, QWidget* parent)
   connect(unpin_, &QToolButton::clicked, this, &OriginChooser::unpin);
 }
 
-const FaceState* OriginChooser::pinned() const {
+const OriginChooser::Pin* OriginChooser::pinned() const {
   const int number = choice_->currentData().toInt();
-  const auto found = std::find_if(pins_.begin(), pins_.end(), [&](const auto& pin) { return pin.first == number; });
-  return found == pins_.end() ? nullptr : &found->second;
+  const auto found = std::find_if(pins_.begin(), pins_.end(), [&](const Pin& pin) { return pin.number == number; });
+  return found == pins_.end() ? nullptr : &*found;
 }
 
 /// The first frame has none before it and does not move.
 FaceState OriginChooser::origin() const {
-  if (const FaceState* state = pinned()) return *state;
+  if (const Pin* pin = pinned()) return pin->state;
   FaceState state = model_->state();
   if (choice_->currentIndex() == neutral || model_->frameCount() == 0) return FaceMotion::neutralOf(state);
   state.frameChoice = FaceState::FrameChoice::Index;
@@ -81,20 +81,22 @@ FaceState OriginChooser::origin() const {
 }
 
 QString OriginChooser::originName() const {
-  if (pinned()) return choice_->currentText();
+  if (const Pin* pin = pinned()) return pin->words;
   return choice_->currentIndex() == frameBefore && model_->frameCount() > 0 ? tr("the frame before")
                                                                             : tr("the neutral face");
 }
 
 void OriginChooser::pin() {
-  pins_.emplace_back(++pinCount_, model_->state());
+  const std::string words = model_->motionText();
+  pins_.push_back(
+      {++pinCount_, model_->state(), words.empty() ? tr("the neutral face") : QString::fromStdString(words)});
   choice_->addItem(tr("Pin %1: %2").arg(pinCount_).arg(describe(*model_)), pinCount_);
   choice_->setCurrentIndex(choice_->count() - 1);
 }
 
 void OriginChooser::unpin() {
   const int number = choice_->currentData().toInt();
-  pins_.erase(std::remove_if(pins_.begin(), pins_.end(), [&](const auto& pin) { return pin.first == number; }),
+  pins_.erase(std::remove_if(pins_.begin(), pins_.end(), [&](const Pin& pin) { return pin.number == number; }),
               pins_.end());
   if (choice_->currentIndex() >= firstPin) choice_->removeItem(choice_->currentIndex());
 }

@@ -2,7 +2,6 @@
 
 #include <QString>
 #include <QWidget>
-#include <utility>
 #include <vector>
 
 #include "FaceState.h"
@@ -22,7 +21,7 @@ class OriginChooser : public QWidget {
   OriginChooser(FaceModel* model, QWidget* parent = nullptr);
 
   FaceState origin() const;
-  QString originName() const;  ///< "the neutral face"
+  QString originName() const;  ///< "the neutral face", "frame 100 of talk.fap, joy"
 
  public slots:
   void pin();    ///< keeps the present state and chooses it
@@ -32,12 +31,17 @@ class OriginChooser : public QWidget {
   void changed();
 
  private:
-  const FaceState* pinned() const;
+  struct Pin {
+    int number;
+    FaceState state;
+    QString words;
+  };
+  const Pin* pinned() const;
 
   FaceModel* model_;
   QComboBox* choice_;
   QToolButton* unpin_;
-  std::vector<std::pair<int, FaceState>> pins_;  ///< with their numbers
+  std::vector<Pin> pins_;
   int pinCount_ = 0;
 };
 

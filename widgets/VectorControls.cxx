@@ -47,7 +47,7 @@ const std::vector<View>& views() {
 }
 
 QStringList mapNames() {
-  QStringList names;
+  QStringList names = {VectorControls::tr("Automatic")};
   for (const ColorTable& table : ColorTable::all()) names << QString::fromStdString(table.name);
   return names;
 }
@@ -148,7 +148,8 @@ void VectorControls::buildArrows() {
   color_ = list("vectorsColor", {tr("Length"), tr("Towards viewer"), tr("None")},
                 tr("What the colours tell: length in space, the component towards the viewer, or nothing; in mm"));
   map_ = list("vectorsColorMap", mapNames(),
-              tr("Colour map; all are perceptually uniform and can be read without colour vision"));
+              tr("Colour map: viridis for lengths and coolwarm, which diverges from zero, towards the viewer; or one "
+                 "of your choice"));
   range_ = list("vectorsRange", {tr("Automatic"), tr("Up to")},
                 tr("Range of the colours: one that only grows while the face moves, or up to a given length"));
   rangeValue_ = number("vectorsRangeValue", leastRange, mostRange, 10.0, tr(" mm"), tr("End of the colours, mm"));
@@ -226,7 +227,7 @@ MotionVectorOptions VectorControls::options() const {
   options.picture.wholeFrame = whole_->isChecked();
   options.length = static_cast<Length>(length_->currentIndex());
   options.color = static_cast<Color>(color_->currentIndex());
-  options.colorMap = map_->currentText().toStdString();
+  if (map_->currentIndex() > 0) options.colorMap = map_->currentText().toStdString();
   options.trueToFace = scale_->currentIndex() == trueToFace;
   if (scale_->currentIndex() == given) options.scale = scaleValue_->value();
   const double end = rangeValue_->value();

@@ -15,6 +15,7 @@
 
 #include "ExportButton.h"
 #include "FaceModel.h"
+#include "FaceNote.h"
 #include "FaceStateText.h"
 #include "FlipBox.h"
 #include "LiveMotion.h"
@@ -22,10 +23,10 @@
 #include "MotionField.h"
 #include "MotionTableText.h"
 #include "MotionVectorFigure.h"
+#include "MotionWords.h"
 #include "OriginChooser.h"
 #include "RenderView.h"
 #include "ScreenFigure.h"
-#include "SurfaceParameters.h"
 #include "Theme.h"
 #include "VectorControls.h"
 #include "VectorView.h"
@@ -126,6 +127,8 @@ void VectorPanel::refresh() {
   MotionRequest request;
   request.moved = model_->state();
   request.origin = origin_->origin();
+  request.movedName = model_->motionText();
+  request.frames = model_->frameText();
   request.originName = origin_->originName().toStdString();
   request.options = controls_->options();
   request.region = controls_->region();
@@ -167,6 +170,19 @@ QString VectorPanel::summary() const {
       .arg(QString::number(largest, 'f', 2), QString::number(mean, 'f', 2));
 }
 
+MotionWords VectorPanel::words() const {
+  const MotionRequest& request = motion_->result().request;
+  const FaceState& moved = request.moved;
+  MotionWords words;
+  words.moved = request.movedName;
+  words.origin = request.originName;
+  words.view = controls_->viewName().toStdString();
+  words.made = faceNote(moved, {moved.surface.scheme}, true, request.frames) + "; " + std::to_string(moved.rows) +
+               " x " + std::to_string(moved.columns);
+  words.headMotionRemoved = request.headMotionRemoved;
+  return words;
+}
+
 /// As the screen shows it, in the colours and the size of a page; scale and range chosen for that size where they are
 /// open.
 ExportDrawing VectorPanel::drawing() const {
@@ -178,12 +194,7 @@ ExportDrawing VectorPanel::drawing() const {
   options.background = QColor();
   options.width = paperWidth;
   options.height = 0.0;
-  options.title = "Motion vectors";
-  options.caption = "Motion from " + result.request.originName +
-                    (result.request.headMotionRemoved ? ", without the motion of the head" : "") + "; view " +
-                    controls_->viewName().toStdString() + ".";
-  options.note = parameterText(result.request.moved.surface) + "; " + options.picture.sampling.text();
-  if (!options.picture.region.isWhole()) options.note += "; region " + options.picture.region.name;
+  describeMotion(words(), options);
   const auto figure =
       std::make_shared<MotionVectorFigure>(std::vector<MotionVectorPanel>{{*result.field, {}}}, options);
   drawing.size = figure->size();

@@ -19,6 +19,7 @@ class RenderView;
 class VectorControls;
 class VectorView;
 struct MotionRequest;
+struct MotionWords;
 
 /// How does the face move? Its motion vectors against the neutral face, the frame before or a pinned state, live.
 class VectorPanel : public QWidget {
@@ -43,6 +44,7 @@ class VectorPanel : public QWidget {
   void refresh();
   void show();
   void fitToScreen(MotionRequest& request) const;
+  MotionWords words() const;
   ExportDrawing drawing() const;
   std::string numbers() const;
   QString summary() const;

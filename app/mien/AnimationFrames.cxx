@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include "Arguments.h"
 #include "CsvText.h"
@@ -18,28 +18,16 @@ namespace {
 constexpr double mostFrames = 1e6;
 constexpr double timeTolerance = 1e-6;  // s, and of a step
 
-struct Range {
-  double first = -std::numeric_limits<double>::infinity(), last = std::numeric_limits<double>::infinity();
-};
-
-Range parseRange(const std::string& text) {
-  Range range;
-  if (text.empty()) return range;
-  const std::vector<std::string> ends = splitText(text, ':');
-  if (ends.size() != 2) throw ValueFailure("--range '" + text + "' is no range; write FIRST:LAST, FIRST: or :LAST");
-  if (!ends[0].empty()) range.first = parseNumber("--range", ends[0]);
-  if (!ends[1].empty()) range.last = parseNumber("--range", ends[1]);
-  return range;
-}
-
-std::vector<size_t> indicesWithin(const FAPSequence& sequence, const std::string& text) {
-  const Range range = parseRange(text);
-  std::vector<size_t> indices;
-  for (size_t index = 0; index < sequence.frames.size(); ++index)
-    if (sequence.frames[index].number >= range.first && sequence.frames[index].number <= range.last)
-      indices.push_back(index);
-  if (indices.empty())
-    throw ValueFailure("--range '" + text + "' holds no frame; mien info FILE.fap tells their numbers");
+/// In the order of the file, whatever that of the option.
+std::vector<size_t> chosenIndices(const FAPSequence& sequence, const FrameOptions& options) {
+  if (options.rangeText().empty()) {
+    std::vector<size_t> all(sequence.frames.size());
+    std::iota(all.begin(), all.end(), size_t{0});
+    return all;
+  }
+  std::vector<size_t> indices = frameIndices(options.rangeOption(), options.rangeText(), sequence);
+  std::sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
   return indices;
 }
 
@@ -52,14 +40,23 @@ struct Times {
   double begin, end;
 };
 
-Times chooseTimes(const FAPSequence& sequence, const FrameOptions& options) {
-  const std::vector<size_t> indices = indicesWithin(sequence, options.range);
-  Times times{sequence.timeOfFrame(indices.front()), sequence.timeOfFrame(indices.back())};
-  if (!options.start.empty()) times.begin = std::max(times.begin, parseNumber("--start", options.start));
-  if (!options.end.empty()) times.end = std::min(times.end, parseNumber("--end", options.end));
-  if (times.begin > times.end + timeTolerance)
-    throw ValueFailure("--start and --end hold no frame; the animation lasts from 0 to " +
+/// A time given by an option; one outside the animation is refused, as the number of a frame is.
+double parseTime(const char* option, const std::string& text, const FAPSequence& sequence) {
+  const double time = parseNumber(option, text);
+  if (!(time >= 0.0 && time < sequence.duration() + 1.0 / sequence.framesPerSecond))
+    throw ValueFailure(std::string(option) + " " + text + " lies outside the animation, which lasts from 0 to " +
                        shortestText(sequence.duration()) + " s");
+  return time;
+}
+
+Times chooseTimes(const FAPSequence& sequence, const FrameOptions& options, const std::vector<size_t>& indices) {
+  Times times{sequence.timeOfFrame(indices.front()), sequence.timeOfFrame(indices.back())};
+  if (!options.start.empty()) times.begin = std::max(times.begin, parseTime("--start", options.start, sequence));
+  if (!options.end.empty()) times.end = std::min(times.end, parseTime("--end", options.end, sequence));
+  if (times.begin > times.end + timeTolerance)
+    throw ValueFailure("--start and --end hold no frame; those chosen last from " +
+                       shortestText(sequence.timeOfFrame(indices.front())) + " to " +
+                       shortestText(sequence.timeOfFrame(indices.back())) + " s");
   return times;
 }
 
@@ -69,17 +66,19 @@ std::vector<AnimationFrame> resampled(const FAPSequence& sequence, const Times& 
   std::vector<AnimationFrame> frames;
   for (int i = 0; i < static_cast<int>(count); ++i) {
     const double time = times.begin + i / rate;
-    frames.push_back({FaceState::FrameChoice::Time, time, time, caption(sequence, time)});
+    frames.push_back({FaceState::FrameChoice::Time, time, time, caption(sequence, time), ""});
   }
   return frames;
 }
 
-std::vector<AnimationFrame> asWritten(const FAPSequence& sequence, const Times& times, const std::string& range) {
+std::vector<AnimationFrame> asWritten(const FAPSequence& sequence, const Times& times,
+                                      const std::vector<size_t>& indices) {
   std::vector<AnimationFrame> frames;
-  for (const size_t index : indicesWithin(sequence, range)) {
+  for (const size_t index : indices) {
     const double time = sequence.timeOfFrame(index);
     if (time >= times.begin - timeTolerance && time <= times.end + timeTolerance)
-      frames.push_back({FaceState::FrameChoice::Index, static_cast<double>(index), time, caption(sequence, time)});
+      frames.push_back({FaceState::FrameChoice::Index, static_cast<double>(index), time, caption(sequence, time),
+                        shortestText(sequence.frames[index].number)});
   }
   if (frames.empty()) throw ValueFailure("--start and --end lie between two frames; give --fps to mix frames there");
   return frames;
@@ -93,10 +92,14 @@ double rateOf(const FAPSequence& sequence, const FrameOptions& options) {
 }
 
 std::vector<AnimationFrame> chooseFrames(const FAPSequence& sequence, const FrameOptions& options) {
-  const Times times = chooseTimes(sequence, options);
+  const std::vector<size_t> indices = chosenIndices(sequence, options);
+  const Times times = chooseTimes(sequence, options, indices);
   const double rate = options.rate();
+  if (rate > 0.0 && isFrameList(options.rangeText()))
+    throw ValueFailure(std::string(options.rangeOption()) + " " + options.rangeText() +
+                       " names single frames, between which --fps cannot mix; give a range FIRST:LAST");
   std::vector<AnimationFrame> frames =
-      rate > 0.0 ? resampled(sequence, times, rate) : asWritten(sequence, times, options.range);
+      rate > 0.0 ? resampled(sequence, times, rate) : asWritten(sequence, times, indices);
   const int repetitions = options.repetitions();
   const size_t count = frames.size();
   if (static_cast<double>(count) * repetitions > mostFrames)

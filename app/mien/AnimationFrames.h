@@ -16,6 +16,7 @@ struct AnimationFrame {
   double value = 0.0;   ///< an index or a time, as the choice says
   double time = 0.0;    ///< s from the first frame of the file; repetitions go on
   std::string caption;  ///< frame number as written, and time
+  std::string number;   ///< as written; empty for a moment between frames
 };
 
 /// The frames that the options choose: from FIRST to LAST, numbers as written in the file, and within --start and

@@ -36,7 +36,7 @@ json describeAnimation(const std::string& file) {
     description["last_frame"] = sequence.frames.back().number;
   }
   description["faps_used"] = sequence.fapsUsed();
-  description["faps_without_surface"] = fapsWithoutSurface(sequence.fapsUsed());
+  description["faps_without_surface"] = fapsWithoutSurface(sequence.fapsMoved());
   description["warnings"] = reader->GetWarnings();
   return description;
 }

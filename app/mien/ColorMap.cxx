@@ -3,16 +3,14 @@
 #include <iterator>
 #include <string>
 
-#include "vtkColorTransferFunction.h"
+#include "ColorTable.h"
 #include "vtkLookupTable.h"
-#include "vtkNew.h"
 #include "vtkVariant.h"
 
 namespace mien {
 
 namespace {
 
-constexpr int viridis[] = {0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
 constexpr int muted[] = {0x332288, 0x88ccee, 0x44aa99, 0x117733, 0x999933, 0xddcc77, 0xcc6677, 0x882255, 0xaa4499};
 constexpr int steps = 256;
 
@@ -23,16 +21,11 @@ double part(int color, int shift) {
 }  // namespace
 
 vtkSmartPointer<vtkLookupTable> sequentialColors(double smallest, double largest) {
-  vtkNew<vtkColorTransferFunction> function;
-  const int last = static_cast<int>(std::size(viridis)) - 1;
-  for (int i = 0; i <= last; ++i)
-    function->AddRGBPoint(static_cast<double>(i) / last, part(viridis[i], 16), part(viridis[i], 8),
-                          part(viridis[i], 0));
+  const ColorTable& viridis = *ColorTable::find("viridis");
   auto table = vtkSmartPointer<vtkLookupTable>::New();
   table->SetNumberOfTableValues(steps);
   for (int i = 0; i < steps; ++i) {
-    double color[3];
-    function->GetColor(i / (steps - 1.0), color);
+    const ColorTable::Rgb color = viridis.at(i / (steps - 1.0));
     table->SetTableValue(i, color[0], color[1], color[2], 1.0);
   }
   table->SetRange(smallest, largest);

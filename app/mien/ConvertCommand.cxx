@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "AnimationData.h"
 #include "AnimationText.h"
@@ -10,22 +11,26 @@
 #include "Arguments.h"
 #include "CaptureWriter.h"
 #include "Command.h"
+#include "Counted.h"
 #include "CsvText.h"
 #include "FAPCsvWriter.h"
+#include "FAPList.h"
 #include "FAPParser.h"
 #include "FAPTable.h"
 #include "FAPWriter.h"
 #include "Failure.h"
 #include "FrameTimes.h"
 #include "HighLevelFAPs.h"
+#include "NumberText.h"
 #include "OutputFile.h"
+#include "TimeCode.h"
 
 namespace mien {
 
 namespace {
 
 struct Options {
-  std::string input, output, from, to, fps, map;
+  std::string input, output, from, to, fps, map, start;
 };
 
 struct Target {
@@ -70,22 +75,15 @@ double chooseRate(const std::string& text) {
   return rate;
 }
 
-std::string readable(const std::string& file) {
-  return file == "-" ? "standard input" : file;
-}
-
 FacialActionMap readMap(const std::string& file) {
-  if (file.empty()) return defaultFacialActions();
-  std::string text;
   FacialActionMap map;
-  std::string fault = readAnimationText(file, text);
-  if (fault.empty()) fault = map.parse(text);
-  if (!fault.empty()) throw FileFailure(file + ": " + fault);
+  const std::string fault = readFacialActions(file, map);
+  if (!fault.empty()) throw FileFailure(fault);
   return map;
 }
 
 FAPSequence readInput(const Options& options, const FacialActionMap& map) {
-  const std::string name = readable(options.input);
+  const std::string name = shownAnimationName(options.input);
   std::string text;
   FAPSequence sequence;
   const std::string fault = readAnimationText(options.input, text);
@@ -102,8 +100,35 @@ void changeRate(double rate, FAPSequence& sequence) {
   if (rate == 0.0 || rate == sequence.framesPerSecond) return;
   if (sequence.rateIsAssumed)
     sequence.framesPerSecond = rate;
+  else if (std::optional<FAPSequence> mixed = resampled(sequence, rate))
+    sequence = std::move(*mixed);
   else
-    sequence = resampled(sequence, rate);
+    throw ValueFailure("--fps " + shortestText(rate) + " makes more than a million frames of " +
+                       shortestText(sequence.duration()) + " s; give a lower rate");
+}
+
+/// A table of FAPs and a file of Live Link Face tell when an animation began; others have no place for it.
+bool keepsStart(const Target& target) {
+  return target.capture ? *target.capture == CaptureStyle::LiveLinkFace : std::string(target.name) == "fap-csv";
+}
+
+std::optional<double> chooseStart(const Options& options, const Target& target) {
+  if (options.start.empty()) return std::nullopt;
+  if (!keepsStart(target))
+    throw ValueFailure(std::string("--start: the format ") + target.name +
+                       " has no place for a time code; fap-csv and arkit have");
+  const std::optional<TimeCode> code = parseTimeCode(options.start);
+  if (!code || code->dropsNumbers || code->seconds >= 86400.0 || code->frames >= writtenTimeCodeRate)
+    throw ValueFailure("--start '" + options.start +
+                       "' is no time code; write HH:MM:SS:FF, 60 frames per second, or "
+                       "HH:MM:SS.sss");
+  return secondsOf(*code, writtenTimeCodeRate);
+}
+
+void tellLostStart(const FAPSequence& sequence, const Target& target, const std::string& output) {
+  if (sequence.startTime > 0.0 && !keepsStart(target))
+    std::cerr << "mien: " << output << ": the time code of the first frame, " << timeCodeText(sequence.startTime)
+              << ", has no place in this format; a table of FAPs keeps it, and --start gives it back\n";
 }
 
 void resolveShapes(FAPSequence& sequence) {
@@ -112,11 +137,9 @@ void resolveShapes(FAPSequence& sequence) {
 }
 
 void tellLoss(const CaptureLoss& loss, const std::string& output) {
-  std::string names;
-  for (const int fap : loss.faps)
-    names += (names.empty() ? "" : ", ") + std::to_string(fap) + " " + std::string(fapDefinition(fap).name);
-  if (!names.empty())
-    std::cerr << "mien: " << output << ": there is no column for these FAPs, they are lost: " << names << "\n";
+  if (!loss.faps.empty())
+    std::cerr << "mien: " << output << ": there is no column for these FAPs, they are lost: " << listOfFAPs(loss.faps)
+              << "\n";
   const long percent = std::lround(100.0 * loss.share);
   if (percent > 0)
     std::cerr << "mien: " << output << ": the columns come near the FAPs only; " << percent
@@ -141,19 +164,24 @@ std::string textOf(FAPSequence sequence, const Target& target, const FacialActio
 void run(const Options& options) {
   const Target target = chooseTarget(options);
   const double rate = chooseRate(options.fps);
+  const std::optional<double> start = chooseStart(options, target);
   const FacialActionMap map = readMap(options.map);
   FAPSequence sequence = readInput(options, map);
   changeRate(rate, sequence);
+  sequence.startTime = start.value_or(sequence.startTime);
   if (sequence.name.empty() && options.input != "-")
     sequence.name = options.input.substr(options.input.find_last_of('/') + 1);
-  const std::string text = textOf(sequence, target, map, options.output == "-" ? "standard output" : options.output);
+  const std::string output = options.output == "-" ? "standard output" : options.output;
+  const std::string text = textOf(sequence, target, map, output);
+  tellLostStart(sequence, target, output);
   if (options.output == "-") {
     std::cout << text;
     return;
   }
   OutputFile::write(options.output, text);
-  std::cout << sequence.frames.size() << " frames at " << shortestText(sequence.framesPerSecond) << " per second in "
-            << options.output << "\n";
+  std::cout << counted(sequence.frames.size(), "frame") << " at "
+            << shortestText(std::round(sequence.framesPerSecond * 1e3) / 1e3) << " per second in " << options.output
+            << "\n";
 }
 
 }  // namespace
@@ -170,12 +198,16 @@ void addConvertCommand(CLI::App& program) {
   command->add_option(
       "--fps", options->fps,
       "Frames per second to write, mixed from those around; of an input without time its own rate [the input's]");
+  command->add_option("--start", options->start,
+                      "Time code of the first frame, HH:MM:SS:FF at 60 per second, for arkit and fap-csv [the input's, "
+                      "or 0]");
   command->add_option("--map", options->map,
                       "What action units and blendshapes move, FILE.json [data/animation/facs_map.json]");
   command->footer(
       "Example: mien convert take.csv -o take.fap                 Live Link Face or OpenFace, seen from the header\n"
       "         mien convert speech.fap -o speech.csv             a table of FAPs, for a spreadsheet or NumPy\n"
       "         mien convert speech.fap --to arkit -o speech.csv  the nearest blendshapes; says what is lost\n"
+      "         mien convert speech.fap --to arkit --start 10:59:58:13 -o speech.csv\n"
       "         mien convert take.csv --fps 25 -o - | mien animate - -o frames/");
   command->callback([options] { run(*options); });
 }

@@ -25,10 +25,7 @@ struct Frame {
 
 Frame orientation(const ViewDirection& view) {
   Frame frame;
-  view.unitVector(frame.out.data());
-  const double azimuth = view.azimuth * M_PI / 180.0;
-  frame.right = Vector3d(std::cos(azimuth), 0.0, -std::sin(azimuth));
-  frame.up = frame.out.cross(frame.right);
+  view.axes(frame.right.data(), frame.up.data(), frame.out.data());
   return frame;
 }
 
@@ -54,7 +51,22 @@ void refine(vtkPolyData* surface, double widthOverHeight, Frame& frame) {
   frame.distance *= margin * height / (2.0 * std::tan(viewAngle * M_PI / 360.0));
 }
 
+/// Where a camera that was placed stands.
+Frame frameOf(const ViewDirection& view, vtkCamera* camera) {
+  Frame frame = orientation(view);
+  camera->GetFocalPoint(frame.focus.data());
+  frame.distance = camera->GetDistance();
+  return frame;
+}
+
 }  // namespace
+
+bool isWithinFrame(vtkPolyData* surface, const ViewDirection& view, const FaceFrame& wanted, vtkCamera* camera) {
+  const auto [low, high] = seenExtent(surface, frameOf(view, camera));
+  const double side = std::tan(viewAngle * M_PI / 360.0);
+  const Vector2d limit(side * wanted.aspect * wanted.freeShare, side);
+  return (low.array() >= -limit.array()).all() && (high.array() <= limit.array()).all();
+}
 
 void placeFaceCamera(vtkPolyData* surface, const ViewDirection& view, const FaceFrame& wanted, vtkCamera* camera) {
   Frame frame = orientation(view);

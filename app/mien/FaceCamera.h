@@ -16,4 +16,7 @@ struct FaceFrame {
 /// Places the camera so that the surface, as seen in perspective, fills the frame but for a margin.
 void placeFaceCamera(vtkPolyData* surface, const ViewDirection& view, const FaceFrame& frame, vtkCamera* camera);
 
+/// Whether a camera placed so sees the whole surface.
+bool isWithinFrame(vtkPolyData* surface, const ViewDirection& view, const FaceFrame& frame, vtkCamera* camera);
+
 }  // namespace mien

@@ -4,9 +4,12 @@
 
 #include "ColorMap.h"
 #include "FaceCamera.h"
+#include "FaceMotion.h"
+#include "FaceOptions.h"
 #include "FacePipeline.h"
 #include "FaceTexture.h"
 #include "Failure.h"
+#include "OutermostPoints.h"
 #include "Picture.h"
 #include "SmoothCurves.h"
 #include "vtkActor.h"
@@ -38,8 +41,7 @@ constexpr double dotsPerInch = 96.0;
 constexpr double curveOffset = -120.0;  // in 1.6e-5 of the depth drawn, together about 0.5 mm of a head
 
 constexpr double skin[3] = {0.90, 0.86, 0.83};
-constexpr double inside[3] = {0.56, 0.54, 0.53};
-constexpr double mouth[3] = {0.36, 0.14, 0.13};
+constexpr double inside[3] = {0.20, 0.15, 0.14};  // dark: an open mouth has depth
 constexpr double lines[3] = {0.16, 0.20, 0.26};
 constexpr double curveColor[3] = {0.05, 0.28, 0.55};
 
@@ -121,7 +123,7 @@ void FaceScene::addSurface() {
   renderer_->AddActor(surface_);
 }
 
-/// Colours come from the photograph alone. The inside of the mouth, which it does not show, is dark.
+/// Colours come from the photograph alone. The inside of the mouth, which it does not show, stays as it is.
 void FaceScene::addTexture() {
   if (!style_.colorBy.empty()) throw ValueFailure("--texture and --color-by both colour the surface; give one");
   if (style_.mesh == SceneStyle::Mesh::Wireframe)
@@ -137,7 +139,6 @@ void FaceScene::addTexture() {
   texture->EdgeClampOn();
   surface_->SetTexture(texture);
   surface_->GetProperty()->SetColor(1.0, 1.0, 1.0);
-  surface_->GetBackfaceProperty()->SetColor(mouth[0], mouth[1], mouth[2]);
 }
 
 void FaceScene::addCurves() {
@@ -207,11 +208,34 @@ void FaceScene::addColors() {
   renderer_->AddViewProp(bar_);
 }
 
-void FaceScene::placeCamera(vtkPolyData* visible) {
+FaceFrame FaceScene::frame() const {
   FaceFrame frame;
   frame.aspect = static_cast<double>(style_.width) / style_.height;
   frame.freeShare = style_.colorBy.empty() ? 1.0 : 1.0 - barShare;
-  placeFaceCamera(visible, style_.view, frame, renderer_->GetActiveCamera());
+  return frame;
+}
+
+void FaceScene::placeCamera(vtkPolyData* visible) {
+  placeFaceCamera(visible, style_.view, frame(), renderer_->GetActiveCamera());
+}
+
+void FaceScene::placeCamera(vtkPolyData* neutral, vtkPolyData* visible) {
+  placeCamera(neutral);
+  if (isWithinFrame(visible, style_.view, frame(), renderer_->GetActiveCamera())) return;
+  OutermostPoints both(style_.view);
+  both.add(neutral->GetPoints());
+  both.add(visible->GetPoints());
+  placeCamera(both.points());
+}
+
+vtkSmartPointer<vtkPolyData> neutralSurface(FacePipeline& pipeline) {
+  const FaceState state = pipeline.state();
+  pipeline.setState(FaceMotion::neutralOf(state));
+  updateOrThrow(pipeline);
+  const auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(pipeline.surface()->GetOutputDataObject(0));
+  pipeline.setState(state);
+  return copy;
 }
 
 vtkSmartPointer<vtkImageData> FaceScene::render() {

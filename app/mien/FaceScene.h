@@ -16,6 +16,7 @@ class vtkScalarBarActor;
 namespace mien {
 
 class FacePipeline;
+struct FaceFrame;
 
 /// A face under three lights, drawn without a window. There must be a display; see VirtualDisplay.
 class FaceScene {
@@ -28,10 +29,14 @@ class FaceScene {
   /// Frames these points, in place of the surface as it was when the scene was made.
   void placeCamera(vtkPolyData* visible);
 
+  /// Frames the neutral face, or both when these points are not all seen then.
+  void placeCamera(vtkPolyData* neutral, vtkPolyData* visible);
+
   /// Draws the pipeline's present surface: unsigned char, 4 components, of the size asked for.
   vtkSmartPointer<vtkImageData> render();
 
  private:
+  FaceFrame frame() const;
   void addSurface();
   void addTexture();
   void addCurves();
@@ -51,5 +56,8 @@ class FaceScene {
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkRenderWindow> window_;
 };
+
+/// A copy of the neutral face's surface; the pipeline's state stays as it was.
+vtkSmartPointer<vtkPolyData> neutralSurface(FacePipeline& pipeline);
 
 }  // namespace mien

@@ -13,8 +13,11 @@
 #include "Failure.h"
 #include "InfoText.h"
 #include "OutputFile.h"
+#include "ProgressLine.h"
+#include "Remarks.h"
 #include "RowLayout.h"
 #include "vtkBoundaryCurveReader.h"
+#include "vtkFAPReader.h"
 #include "vtkPolyData.h"
 
 namespace mien {
@@ -109,10 +112,30 @@ json aboutFace(const Options& options) {
   return describeFace(pipeline);
 }
 
+/// In how many frames lips or lids of the face would cross, were they not kept apart.
+json describeContact(const Options& options) {
+  FaceOptions face = options.face;
+  face.setAnimation(options.file);
+  FacePipeline pipeline;
+  face.apply(pipeline);
+  FaceState state = pipeline.state();
+  ContactCount contact;
+  ProgressLine progress(pipeline.frames()->GetNumberOfFrames());
+  for (; state.frame < pipeline.frames()->GetNumberOfFrames(); ++state.frame) {
+    progress.show(contact.frames);
+    pipeline.setState(state);
+    const std::string fault = pipeline.updateCurves();
+    if (!fault.empty()) throw FileFailure(fault);
+    contact.add(pipeline);
+  }
+  return {{"frames", contact.clamped}, {"largest_mm", contact.largest}};
+}
+
 void run(const Options& options) {
   const std::string ending = fileEnding(options.file);
   const bool isAnimation = ending == "fap" || ending == "csv" || options.file == "-";
-  const json about = isAnimation ? describeAnimation(options.file) : aboutFace(options);
+  json about = isAnimation ? describeAnimation(options.file) : aboutFace(options);
+  if (isAnimation && options.json && options.file != "-") about["contact"] = describeContact(options);
   if (options.json)
     std::cout << json{{isAnimation ? "fap" : "face", about}}.dump(2, ' ', false, json::error_handler_t::replace)
               << "\n";

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,11 +7,13 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "AnimationFrames.h"
 #include "CsvText.h"
 #include "Failure.h"
+#include "Ffmpeg.h"
 #include "FrameSink.h"
 #include "OutputFile.h"
 #include "Picture.h"
@@ -25,24 +26,7 @@ namespace mien {
 
 namespace {
 
-constexpr int notInstalled = 127;
-const char* const evenSides = "pad=ceil(iw/2)*2:ceil(ih/2)*2";                   // the usual colour format halves them
-const char* const ownPalette = "split[a][b];[a]palettegen[p];[b][p]paletteuse";  // a .gif has 256 colours
 const char* const ffmpegEndings[] = {"mp4", "m4v", "mov", "webm", "mkv", "avi", "mpg", "gif", "apng", "webp"};
-
-bool isOneOf(const std::string& ending, std::initializer_list<const char*> list) {
-  return std::any_of(list.begin(), list.end(), [&](const char* one) { return ending == one; });
-}
-
-/// How ffmpeg writes a kind of file: what is played widely.
-std::vector<std::string> ffmpegFormat(const std::string& ending) {
-  if (ending == "gif") return {"-vf", ownPalette, "-loop", "0"};
-  if (ending == "apng") return {"-plays", "0"};
-  if (ending == "webp") return {"-loop", "0"};
-  std::vector<std::string> format = {"-vf", evenSides, "-pix_fmt", "yuv420p"};
-  if (isOneOf(ending, {"mp4", "m4v", "mov"})) format.insert(format.end(), {"-movflags", "+faststart"});
-  return format;
-}
 
 vtkSmartPointer<vtkImageData> colorsOf(vtkImageData* picture) {
   return picture->GetNumberOfScalarComponents() == 4 ? opaque(picture) : vtkSmartPointer<vtkImageData>(picture);
@@ -103,9 +87,7 @@ class OggSink : public FrameSink {
 class FfmpegSink : public FrameSink {
  public:
   FfmpegSink(const std::string& name, double rate) : file_(name), rate_(rate) {
-    if (!installed())
-      throw FileFailure(name + ": ." + fileEnding(name) +
-                        " needs ffmpeg, which is not installed; install it (apt-get install ffmpeg) or write .ogv");
+    requireFfmpeg(name);
     messages_ = std::tmpfile();
     signal(SIGPIPE, SIG_IGN);
   }
@@ -138,37 +120,27 @@ class FfmpegSink : public FrameSink {
   }
 
  private:
-  static bool installed() {
-    const pid_t child = fork();
-    if (child == 0) become({"ffmpeg", "-version"}, -1, -1);
-    int status = 0;
-    return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  }
-
-  [[noreturn]] static void become(std::vector<std::string> command, int input, int messages) {
-    setpgid(0, 0);  // Ctrl-C in the terminal is for us
-    const int nowhere = open("/dev/null", O_RDWR);
-    dup2(input >= 0 ? input : nowhere, STDIN_FILENO);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(messages >= 0 ? messages : nowhere, STDERR_FILENO);
-    std::vector<char*> arguments;
-    for (std::string& argument : command) arguments.push_back(argument.data());
-    arguments.push_back(nullptr);
-    execvp(arguments[0], arguments.data());
-    _exit(notInstalled);
+  static void requireFfmpeg(const std::string& name) {
+    const std::vector<std::string> usual = animationEndings();
+    const std::string ending = fileEnding(name);
+    const bool isUsual = std::find(usual.begin(), usual.end(), ending) != usual.end();
+    const bool installed = Ffmpeg::isInstalled();
+    if (isUsual && !installed)
+      throw FileFailure(name + ": ." + ending +
+                        " needs ffmpeg, which is not installed; install it (apt-get install ffmpeg) or write .ogv");
+    if (!isUsual && !(installed && Ffmpeg::canWrite(name))) requireEnding(name, usual);
   }
 
   void start(const int size[3]) {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw FileFailure(file_.name() + ": there is no pipe to ffmpeg");
     const std::string shape = std::to_string(size[0]) + "x" + std::to_string(size[1]);
-    child_ = fork();
-    std::vector<std::string> command = {"ffmpeg",   "-y",    "-loglevel", "error", "-f", "rawvideo",
-                                        "-pix_fmt", "rgb24", "-s",        shape,   "-r", shortestText(rate_),
-                                        "-i",       "-"};
-    for (const std::string& word : ffmpegFormat(fileEnding(file_.name()))) command.push_back(word);
-    command.push_back(file_.temporaryName());
-    if (child_ == 0) become(command, ends[0], messages_ ? fileno(messages_) : -1);
+    std::vector<std::string> arguments = {"-y",    "-loglevel", "error", "-f", "rawvideo",          "-pix_fmt",
+                                          "rgb24", "-s",        shape,   "-r", shortestText(rate_), "-i",
+                                          "-"};
+    for (const std::string& word : Ffmpeg::format(fileEnding(file_.name()))) arguments.push_back(word);
+    arguments.push_back(Ffmpeg::fileArgument(file_.temporaryName()));
+    child_ = Ffmpeg::start(arguments, ends[0], -1, messages_ ? fileno(messages_) : -1);
     ::close(ends[0]);
     pipe_ = ends[1];
   }
@@ -187,11 +159,7 @@ class FfmpegSink : public FrameSink {
   bool close() {
     if (child_ <= 0) return false;
     ::close(pipe_);
-    int status = 0;
-    while (waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-    }
-    child_ = -1;
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return Ffmpeg::wait(std::exchange(child_, -1));
   }
 
   /// What ffmpeg said last, for the end of a sentence.

@@ -1,8 +1,6 @@
-#include <cstdio>
-#include <filesystem>
-
 #include "AnimationFrames.h"
-#include "Failure.h"
+#include "Counted.h"
+#include "FrameFiles.h"
 #include "FrameSink.h"
 #include "Picture.h"
 
@@ -10,38 +8,24 @@ namespace mien {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 class PictureFolderSink : public FrameSink {
  public:
-  explicit PictureFolderSink(const std::string& folder) : folder_(folder) {
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    if (!fs::is_directory(folder_, error)) throw FileFailure(folder + ": cannot be made a folder for the frames");
-  }
+  explicit PictureFolderSink(const std::string& folder) : files_(folder, "frame", "png") {}
 
   bool needsPictures() const override { return true; }
 
   void add(const AnimationFrame& frame, vtkStructuredGrid*, vtkImageData* picture) override {
-    writePNG(picture, fileOf(count_).string(), {{"Software", "Mien " MIEN_VERSION}, {"Comment", frame.caption}});
+    writePNG(picture, files_.path(count_), {{"Software", "Mien " MIEN_VERSION}, {"Comment", frame.caption}});
     ++count_;
   }
 
-  std::string finish(bool complete) override {
-    std::error_code error;
-    for (int i = count_; complete && fs::remove(fileOf(i), error); ++i) {
-    }
-    return std::to_string(count_) + " frames in " + folder_.string();
+  std::string finish(bool) override {
+    files_.removeOthers(count_);
+    return counted(count_, "frame") + " in " + files_.folder();
   }
 
  private:
-  fs::path fileOf(int index) const {
-    char name[32];
-    std::snprintf(name, sizeof name, "frame_%04d.png", index);
-    return folder_ / name;
-  }
-
-  fs::path folder_;
+  FrameFiles files_;
   int count_ = 0;
 };
 

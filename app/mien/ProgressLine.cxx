@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 namespace mien {
@@ -28,14 +29,19 @@ void ProgressLine::show(int done) {
   const Clock::time_point now = Clock::now();
   if (!visible_ || seconds(now - shown_) < secondsBetweenLines) return;
   shown_ = now;
-  if (total_ == 0) {
-    std::fprintf(stderr, "%s%s %d", clearLine, what_, done);
-    std::fflush(stderr);
-    return;
-  }
-  const double left = done > 0 ? seconds(now - begin_) / done * (total_ - done) : 0.0;
-  std::fprintf(stderr, "%s%s %d of %d, %.0f s left", clearLine, what_, done, total_, left);
+  std::string text = std::string(what_) + " " + std::to_string(done);
+  if (total_ > 0) text += " of " + std::to_string(total_);
+  if (total_ > 0 && done > 0)  // before that nobody knows
+    text += ", " + readableTime(seconds(now - begin_) / done * (total_ - done)) + " left";
+  std::fprintf(stderr, "%s%s", clearLine, text.c_str());
   std::fflush(stderr);
+}
+
+std::string ProgressLine::readableTime(double seconds) {
+  const long whole = std::lround(std::ceil(seconds)), minutes = (whole + 59) / 60;
+  if (whole < 2 * 60) return std::to_string(whole) + " s";
+  if (minutes < 2 * 60) return std::to_string(minutes) + " min";
+  return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
 }
 
 }  // namespace mien

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <string>
 
 namespace mien {
 
@@ -14,6 +15,9 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void show(int done);
+
+  /// "42 s", "12 min", "3 h 20 min".
+  static std::string readableTime(double seconds);
 
  private:
   using Clock = std::chrono::steady_clock;

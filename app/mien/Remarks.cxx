@@ -1,9 +1,12 @@
 #include "Remarks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 
-#include "FAPTable.h"
+#include "AnimationTextFile.h"
+#include "Counted.h"
+#include "FAPList.h"
 #include "FacePipeline.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
@@ -12,29 +15,46 @@ namespace mien {
 
 namespace {
 
-constexpr double visiblePush = 0.5;  ///< mm; less is what curves near a moving lip or lid do in any lively face
+constexpr double visibleContact = 0.05;  ///< mm; less is lips and lids that just touch
+constexpr double visiblePush = 0.5;      ///< mm; less is what curves near a moving lip or lid do in any lively face
 
-std::string nameList(const std::vector<int>& faps) {
-  std::string names;
-  for (const int fap : faps)
-    names += (names.empty() ? "" : ", ") + std::to_string(fap) + " " + std::string(fapDefinition(fap).name);
-  return names;
+double oneDecimal(double mm) {
+  return std::round(mm * 10.0) / 10.0;
 }
 
 }  // namespace
 
+void ContactCount::add(const FacePipeline& pipeline) {
+  const double depth = pipeline.animation()->GetContactClamped();
+  ++frames;
+  clamped += depth >= visibleContact;
+  largest = std::max(largest, depth);
+}
+
 void printRemarks(const FacePipeline& pipeline) {
-  const std::string file = pipeline.state().fapFile == "-" ? "standard input" : pipeline.state().fapFile;
+  ContactCount contact;
+  contact.add(pipeline);
+  printRemarks(pipeline, contact);
+}
+
+void printRemarks(const FacePipeline& pipeline, const ContactCount& contact) {
+  const std::string file = shownAnimationName(pipeline.state().fapFile);
   if (!file.empty())
     for (const std::string& warning : pipeline.frames()->GetWarnings()) std::cerr << "mien: " << warning << "\n";
   const std::vector<int> ignored = pipeline.animation()->GetIgnoredFAPs();
   if (!ignored.empty())
     std::cerr << "mien: " << (file.empty() ? "" : file + ": ")
-              << "these FAPs move nothing on this face: " << nameList(ignored) << "\n";
+              << "these FAPs move nothing on this face: " << listOfFAPs(ignored) << "\n";
+  if (contact.clamped > 0)
+    std::cerr << "mien: " << (file.empty() ? "" : file + ": ") << "lips or lids are pressed together"
+              << (contact.frames > 1
+                      ? " in " + std::to_string(contact.clamped) + " of " + counted(contact.frames, "frame")
+                      : "")
+              << "; crossings of up to " << oneDecimal(contact.largest) << " mm were undone\n";
   const double pushed = pipeline.animation()->GetLargestPushed();
   if (pushed >= visiblePush)
     std::cerr << "mien: " << (file.empty() ? "" : file + ": ")
-              << "curves without room for these FAPs gave way by up to " << std::round(pushed * 10.0) / 10.0
+              << "curves without room for these FAPs gave way by up to " << oneDecimal(pushed)
               << " mm; smaller values leave every curve its way\n";
 }
 

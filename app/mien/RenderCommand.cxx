@@ -11,7 +11,9 @@
 #include "Remarks.h"
 #include "RenderOptions.h"
 #include "VirtualDisplay.h"
+#include "vtkAlgorithm.h"
 #include "vtkImageData.h"
+#include "vtkPolyData.h"
 
 namespace mien {
 
@@ -30,10 +32,12 @@ void run(const Options& options) {
   FaceOptions face = options.face;
   options.picture.chooseResolution(face);
   face.apply(pipeline);
+  const auto neutral = style.neutralFrame ? neutralSurface(pipeline) : nullptr;
   updateOrThrow(pipeline);
   printRemarks(pipeline);
   const VirtualDisplay display;
   FaceScene scene(pipeline, style);
+  if (neutral) scene.placeCamera(neutral, vtkPolyData::SafeDownCast(pipeline.surface()->GetOutputDataObject(0)));
   writePNG(scene.render(), options.output,
            {{"Software", "Mien " MIEN_VERSION}, {"MienFaceState", writeFaceState(pipeline.state())}});
 }

@@ -47,6 +47,9 @@ void RenderOptions::addTo(CLI::App& command) {
   };
   add("--view", view_, "front, side, left, right, back, top, 45, 45-right, or degrees AZIMUTH[:ELEVATION]");
   add("--size", size_, "Width x height in pixels");
+  add("--zoom", zoom_,
+      "neutral: as large as the neutral face fills the picture, so that pictures compare, unless the face leaves it; "
+      "fit: what is shown fills it");
   add("--style", style_, "shaded, wireframe or both");
   command.add_option("--color-by", colorBy_, "Array of the surface to colour by, with a colour bar")->group("Picture");
   command.add_flag("--curves", curves_, "Draw the boundary curves over the surface")->group("Picture");
@@ -66,6 +69,9 @@ SceneStyle RenderOptions::style() const {
                        std::to_string(largestSide) + " pixels are allowed");
   style.view = parseView(view_);
   style.mesh = parseMesh(style_);
+  if (zoom_ != "neutral" && zoom_ != "fit")
+    throw ValueFailure("--zoom '" + zoom_ + "' is unknown; it is neutral or fit");
+  style.neutralFrame = zoom_ == "neutral";
   style.colorBy = colorBy_;
   style.curves = curves_;
   style.transparent = transparent_;

@@ -29,7 +29,7 @@ class RenderOptions {
   SceneStyle style() const;
 
  private:
-  std::string view_ = "front", size_, background_ = "white", colorBy_, style_ = "shaded";
+  std::string view_ = "front", size_, background_ = "white", colorBy_, style_ = "shaded", zoom_ = "neutral";
   bool transparent_ = false, curves_ = false;
 };
 

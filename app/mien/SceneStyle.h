@@ -15,6 +15,7 @@ struct SceneStyle {
   int samples = 3;                  ///< computed per pixel along each side, for smooth edges
   ViewDirection view;
   Mesh mesh = Mesh::Shaded;
+  bool neutralFrame = true;  ///< whether the neutral face fills the picture, for as long as the face stays within it
   std::string colorBy;  ///< name of a point or cell array; empty: the plain material
   bool curves = false;  ///< whether the boundary curves lie over the surface
   bool transparent = false;

@@ -99,6 +99,17 @@ void writeSurface(vtkStructuredGrid* grid, const std::string& name) {
     writePolygons(outwardPolygons(grid, ending == "stl"), ending, name);
 }
 
+std::string gridBytes(vtkStructuredGrid* grid) {
+  vtkNew<vtkXMLStructuredGridWriter> writer;
+  writer->SetCompressorTypeToNone();
+  writer->EncodeAppendedDataOff();
+  writer->SetHeaderTypeToUInt32();
+  writer->WriteToOutputStringOn();
+  writer->SetInputData(grid);
+  writer->Write();
+  return writer->GetOutputString();
+}
+
 void writeMesh(vtkPointSet* mesh, const std::string& name) {
   if (auto* grid = vtkStructuredGrid::SafeDownCast(mesh)) return writeSurface(grid, name);
   requireEnding(name, {"vtp", "ply", "obj", "stl"});

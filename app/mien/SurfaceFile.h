@@ -21,6 +21,10 @@ vtkSmartPointer<vtkPolyData> outwardPolygons(vtkStructuredGrid* grid, bool trian
 /// leave the hidden cells out and are wound outwards.
 void writeSurface(vtkStructuredGrid* grid, const std::string& name);
 
+/// The bytes of a .vts file as writeSurface() makes it, but not compressed. Made in memory and written at once a file
+/// takes half the time, which counts where there are many.
+std::string gridBytes(vtkStructuredGrid* grid);
+
 /// The same for a grid or for polygons; polygons go into every format but .vts, a ValueFailure.
 void writeMesh(vtkPointSet* mesh, const std::string& name);
 

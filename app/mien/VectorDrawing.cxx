@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <QFontDatabase>
+#include <cctype>
 #include <map>
 
 #include "Arguments.h"
@@ -52,17 +53,23 @@ void VectorDrawing::addTo(CLI::App& command) {
       "What is looked at: a patch P0 .. P8; " + VectorRegion::names() +
           "; or XMIN,YMIN,XMAX,YMAX in mm to the right and up in the picture [all]");
   command.add_flag("--whole-face", wholeFace_, "Show a region within the whole face, not enlarged")->group(group);
-  add("--sample", sample_, "every:N, every N-th vertex, or even:SPACING, evenly in the picture, mm on the face")
+  add("--sample", sample_,
+      "even:SPACING, evenly in the picture, mm on the face; every:N, every N-th vertex; auto: figures evenly, arrows "
+      "about 2.4 mm apart in print, tables with all vertices")
       ->capture_default_str();
   command.add_flag("--hidden", hidden_, "Draw vectors behind the face too")->group(group);
   add("--scale", scale_, "mm of motion in 1 mm of arrow; auto: a round one; face: as large as the face is drawn")
       ->capture_default_str();
-  add("--range", range_, "MIN:MAX, mm at the ends of the colours [from the vectors]");
+  add("--range", range_, "MIN:MAX, mm at the ends of the colours [from the arrows that are drawn]");
   add("--length", length_, "Of arrows: seen (projected, as the face is), space (in three dimensions), equal")
       ->capture_default_str();
   add("--color", color_, "Of arrows: space (length in three dimensions), towards (component towards the viewer), none")
       ->capture_default_str();
-  add("--colormap", colorMap_, mapNames() + "; with _r turned around")->capture_default_str();
+  add("--colormap", colorMap_,
+      mapNames() +
+          "; with _r turned around; auto: viridis, coolwarm for --color towards. On light themes maps end before their "
+          "palest colours, which nobody sees on white: viridis at a green")
+      ->capture_default_str();
   command.add_flag("--no-seams", noSeams_, "Leave out the lines between patches")->group(group);
   add("--font", font_, "Family of the type [DejaVu Sans]");
   add("--columns", columns_, "Panels beside each other [as many as fit]");
@@ -125,10 +132,21 @@ void VectorDrawing::fillColors(MotionVectorOptions& options) const {
                                   {{"seen", Length::Seen}, {"space", Length::InSpace}, {"equal", Length::Equal}});
   options.color = choose<Color>("--color", color_,
                                 {{"space", Color::Magnitude}, {"towards", Color::Towards}, {"none", Color::None}});
+  if (colorMap_ == "auto") return;
   if (!VectorColors::isKnown(colorMap_))
     throw ValueFailure("--colormap '" + colorMap_ + "' is unknown; the known ones are " + mapNames() +
                        ", each also with _r");
   options.colorMap = colorMap_;
+}
+
+std::string VectorDrawing::viewName() const {
+  const std::string degree = "\u00b0";
+  if (view_.empty() || !(std::isdigit(static_cast<unsigned char>(view_[0])) || view_[0] == '-' || view_[0] == '+'))
+    return view_;
+  const size_t colon = view_.find(':'), dash = view_.find("-right");
+  if (colon != std::string::npos)
+    return "azimuth " + view_.substr(0, colon) + degree + ", elevation " + view_.substr(colon + 1) + degree;
+  return dash == std::string::npos ? view_ + degree : view_.substr(0, dash) + degree + " right";
 }
 
 void VectorDrawing::chooseRegion(const FaceCurves* face, MotionVectorOptions& options) const {

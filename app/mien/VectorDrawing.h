@@ -31,6 +31,9 @@ class VectorDrawing {
   const FigureOptions& file() const { return file_; }
   const std::string& view() const { return view_; }
 
+  /// The view in words: "front", "azimuth 30\u00b0, elevation 10\u00b0".
+  std::string viewName() const;
+
  private:
   void fillPicture(MotionVectorOptions& options) const;
   void fillScale(MotionVectorOptions& options) const;
@@ -38,8 +41,8 @@ class VectorDrawing {
   void fillColors(MotionVectorOptions& options) const;
 
   FigureOptions file_{"85"};
-  std::string view_ = "front", region_, sample_ = "every:1", scale_ = "auto", range_, length_ = "seen";
-  std::string color_ = "space", colorMap_ = "viridis", font_, columns_;
+  std::string view_ = "front", region_, sample_ = "auto", scale_ = "auto", range_, length_ = "seen";
+  std::string color_ = "space", colorMap_ = "auto", font_, columns_;
   bool wholeFace_ = false, hidden_ = false, noSeams_ = false, bare_ = false;
 };
 

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
-#include <set>
 #include <utility>
 
 #include "Arguments.h"
@@ -37,7 +36,8 @@ std::string shortName(const std::string& file) {
   return std::filesystem::path(file).filename().string();
 }
 
-constexpr size_t mostFrames = 104;  // (a) .. (z3)
+constexpr size_t mostFrames = 104;    // (a) .. (z3)
+constexpr size_t mostTitledFAPs = 3;  // a title has one line
 
 vtkSmartPointer<vtkPointSet> readPoints(const std::string& name) {
   const auto data = readMesh(name);
@@ -46,35 +46,27 @@ vtkSmartPointer<vtkPointSet> readPoints(const std::string& name) {
   return points;
 }
 
-using Edges = std::set<std::pair<vtkIdType, vtkIdType>>;
+using Pairs = std::vector<std::pair<vtkIdType, vtkIdType>>;
 
-/// All pairs of points that share a polygon: its edges and diagonals.
-Edges pairsOf(vtkPolyData* polygons) {
-  Edges pairs;
+/// All pairs of points that share a polygon, its edges and diagonals, in order.
+Pairs pairsOf(vtkPolyData* polygons) {
+  Pairs pairs;
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell) {
     polygons->GetCellPoints(cell, ids);
     for (const vtkIdType a : *ids)
-      for (const vtkIdType b : *ids) pairs.emplace(a, b);
+      for (const vtkIdType b : *ids) pairs.emplace_back(a, b);
   }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 
 /// Whether the polygons of a scan cut up those of the face: its reader makes triangles, along either diagonal.
 bool isCutOf(vtkPolyData* scan, vtkPolyData* face) {
   if (scan->GetNumberOfPoints() != face->GetNumberOfPoints()) return false;
-  const Edges ours = pairsOf(face), theirs = pairsOf(scan);
+  const Pairs ours = pairsOf(face), theirs = pairsOf(scan);
   return std::includes(ours.begin(), ours.end(), theirs.begin(), theirs.end());
-}
-
-/// The face with the triangles of the scan when that has the same topology; else as it is.
-vtkSmartPointer<vtkPolyData> cutLike(vtkPolyData* scan, vtkPolyData* face) {
-  if (!scan || !isCutOf(scan, face)) return face;
-  auto cut = vtkSmartPointer<vtkPolyData>::New();
-  cut->ShallowCopy(face);
-  cut->GetCellData()->Initialize();
-  cut->SetPolys(scan->GetPolys());
-  return cut;
 }
 
 vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData* data) {
@@ -116,9 +108,7 @@ void VectorSource::check() const {
   if (!surface_.empty()) {
     if (kind() != Against::Mesh)
       throw ValueFailure("a surface file moves against another one; name it with --against FILE");
-    for (const char* const name : {"--fap", "--expression", "--set", "--face", "--frames"})
-      if (isGiven(name))
-        throw ValueFailure(std::string(name) + " describes a face; leave out either it or the surface " + surface_);
+    refuseFaceOptions();
     return;
   }
   if (isSeries() && !hasFile) throw ValueFailure("--frames needs an animation; name it with --fap FILE.fap");
@@ -127,6 +117,20 @@ void VectorSource::check() const {
       throw ValueFailure(std::string(name) + " and --frames both choose a frame; give one of them");
   if ((kind() == Against::Previous || kind() == Against::Frame) && !hasFile)
     throw ValueFailure("--against " + against_ + " needs an animation; name it with --fap FILE.fap");
+  if ((kind() == Against::Previous || kind() == Against::Frame) && options_.state().fapFile == "-")
+    throw ValueFailure("--against " + against_ +
+                       " needs the animation twice, which --fap - gives once only; write it to a "
+                       "file and name that with --fap");
+}
+
+/// A surface file has no curves, scheme or animation that they could change.
+void VectorSource::refuseFaceOptions() const {
+  for (const CLI::Option* option : command_->get_options()) {
+    const bool isOfFace = option->get_group() == "Face" || option->get_group() == "Animation";
+    const std::string name = option->get_name();
+    if (option->count() > 0 && (isOfFace || name == "--frames"))
+      throw ValueFailure(name + " describes a face; leave out either it or the surface " + surface_);
+  }
 }
 
 std::vector<FaceState> VectorSource::states() const {
@@ -147,6 +151,7 @@ std::vector<FaceState> VectorSource::states() const {
 std::vector<VectorMoment> VectorSource::moments(const PicturePlane& plane) {
   check();
   std::vector<VectorMoment> moments;
+  if (kind() == Against::Mesh) origin_ = readPoints(against_);
   if (!surface_.empty()) {
     moments.push_back(meshMoment(readPoints(surface_), surface_, plane));
     return moments;
@@ -155,6 +160,7 @@ std::vector<VectorMoment> VectorSource::moments(const PicturePlane& plane) {
   motion_->setHeadMotionRemoved(removeHeadMotion_);
   for (const FaceState& state : states())
     moments.push_back(kind() == Against::Mesh ? againstMesh(state, plane) : faceMoment(state));
+  for (const VectorMoment& moment : moments) moved_.push_back(moment.frame);
   printRemarks(motion_->moved());
   return moments;
 }
@@ -198,28 +204,39 @@ VectorMoment VectorSource::faceMoment(const FaceState& state) {
   return {frameText(state), state, motion_->field(), copyOf(motion_->vectors())};
 }
 
-/// A grid is compared with the face's grid, polygons with those that `mien surface` writes of it.
+/// The face as its points and cells compare with those of the surface file: as a grid, or as the polygons that `mien
+/// surface` writes, cut into triangles where the file has the same topology but triangles.
+vtkSmartPointer<vtkPointSet> VectorSource::movedLike(vtkPointSet* origin) {
+  vtkStructuredGrid* grid = motion_->moved().grid();
+  if (fileEnding(against_) == "vts") return grid;
+  const vtkSmartPointer<vtkPolyData> face = outwardPolygons(grid, false);
+  auto* scan = vtkPolyData::SafeDownCast(origin);
+  if (!cut_ && scan && isCutOf(scan, face)) cut_ = scan->GetPolys();
+  if (!cut_) return face;
+  auto cut = vtkSmartPointer<vtkPolyData>::New();
+  cut->ShallowCopy(face);
+  cut->GetCellData()->Initialize();
+  cut->SetPolys(cut_);
+  return cut;
+}
+
 VectorMoment VectorSource::againstMesh(const FaceState& state, const PicturePlane& plane) {
   motion_->setStates(state, FaceMotion::neutralOf(state));
   checkOrThrow(motion_->moved());
   updateOrThrow(motion_->moved());
-  vtkStructuredGrid* grid = motion_->moved().grid();
-  const auto origin = readPoints(against_);
-  vtkSmartPointer<vtkPointSet> moved = grid;
-  if (fileEnding(against_) != "vts") moved = cutLike(vtkPolyData::SafeDownCast(origin), outwardPolygons(grid, false));
-  VectorMoment moment = meshMoment(moved, state.curvesFile.empty() ? "the generic face" : state.curvesFile, plane);
+  const std::string name = state.curvesFile.empty() ? "the generic face" : state.curvesFile;
+  VectorMoment moment = meshMoment(movedLike(origin_), name, plane);
   moment.frame = frameText(state);
   moment.state = state;
   return moment;
 }
 
 VectorMoment VectorSource::meshMoment(vtkPointSet* moved, const std::string& name, const PicturePlane& plane) const {
-  const auto origin = readPoints(against_);
   vtkNew<vtkMotionVectorFilter> filter;
   PipelineErrors errors;
   errors.observe(filter);
   filter->SetInputData(moved);
-  filter->SetNeutralData(origin);
+  filter->SetNeutralData(origin_);
   filter->SetRemoveRigidMotion(removeHeadMotion_);
   filter->SetViewDirection(plane.out.x(), plane.out.y(), plane.out.z());
   filter->SetViewUp(plane.up.x(), plane.up.y(), plane.up.z());
@@ -227,30 +244,45 @@ VectorMoment VectorSource::meshMoment(vtkPointSet* moved, const std::string& nam
   if (!errors.first().empty()) throw FileFailure(name + ", " + against_ + ": " + errors.first());
   VectorMoment moment;
   moment.vectors = filter->GetOutput();
-  const std::string fault = readMotionField(moment.vectors, origin, origin, false, moment.field);
+  const std::string fault = readMotionField(moment.vectors, origin_, origin_, false, moment.field);
   if (!fault.empty()) throw FileFailure(against_ + ": " + fault);
   return moment;
 }
 
-std::string VectorSource::origin() const {
+std::string VectorSource::originName() const {
   switch (kind()) {
     case Against::Neutral:
-      return "from the neutral face";
+      return "the neutral face";
     case Against::Previous:
-      return "from the frame before";
+      return "the frame before";
     case Against::Frame:
-      return "from frame " + against_;
+      return "frame " + against_;
     case Against::Mesh:
       break;
   }
-  return "from " + shortName(against_);
+  return shortName(against_);
 }
 
-std::string VectorSource::note() const {
-  if (!surface_.empty()) return shortName(surface_) + " against " + shortName(against_) + "; Mien " MIEN_VERSION;
+std::string VectorSource::framesName() const {
+  std::string name = moved_.size() > 1 ? "frames " : "frame ";
+  for (size_t i = 0; i < moved_.size(); ++i) name += (i ? ", " : "") + moved_[i];
+  return name;
+}
+
+MotionWords VectorSource::words() const {
+  MotionWords words;
+  words.origin = originName();
+  words.headMotionRemoved = removeHeadMotion_;
+  if (!surface_.empty()) {
+    words.moved = shortName(surface_);
+    words.made = shortName(surface_) + " against " + shortName(against_) + "; Mien " MIEN_VERSION;
+    return words;
+  }
   const FaceState state = options_.state();
-  return faceNote(state, {state.surface.scheme}) + "; " + std::to_string(state.rows) + " x " +
-         std::to_string(state.columns);
+  words.moved = motionText(state, framesName(), mostTitledFAPs);
+  words.made = faceNote(state, {state.surface.scheme}, true, framesName()) + "; " + std::to_string(state.rows) + " x " +
+               std::to_string(state.columns);
+  return words;
 }
 
 }  // namespace mien

@@ -8,6 +8,7 @@
 #include "FaceOptions.h"
 #include "FaceState.h"
 #include "MotionField.h"
+#include "MotionWords.h"
 #include "PicturePlane.h"
 #include "vtkSmartPointer.h"
 
@@ -15,6 +16,7 @@ namespace CLI {
 class App;
 }
 
+class vtkCellArray;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -49,11 +51,8 @@ class VectorSource {
   bool headMotionRemoved() const { return removeHeadMotion_; }
   const std::string& against() const { return against_; }
 
-  /// "from the neutral face": the other end of the vectors.
-  std::string origin() const;
-
-  /// What moves, for notes.
-  std::string note() const;
+  /// What the figure shows; the view is left open. After moments().
+  MotionWords words() const;
 
  private:
   enum class Against { Neutral, Previous, Frame, Mesh };
@@ -62,6 +61,10 @@ class VectorSource {
   std::vector<FaceState> states() const;
   VectorMoment faceMoment(const FaceState& state);
   VectorMoment againstMesh(const FaceState& state, const PicturePlane& plane);
+  vtkSmartPointer<vtkPointSet> movedLike(vtkPointSet* origin);
+  void refuseFaceOptions() const;
+  std::string originName() const;
+  std::string framesName() const;
   VectorMoment meshMoment(vtkPointSet* moved, const std::string& name, const PicturePlane& plane) const;
   FaceState originOf(const FaceState& state);
   std::string frameText(const FaceState& state) const;
@@ -71,6 +74,9 @@ class VectorSource {
   bool removeHeadMotion_ = false;
   const CLI::App* command_ = nullptr;
   std::unique_ptr<FaceMotion> motion_;
+  vtkSmartPointer<vtkPointSet> origin_;  ///< the surface file that the vectors start from, once read
+  vtkSmartPointer<vtkCellArray> cut_;    ///< its polygons when they cut up those of the face
+  std::vector<std::string> moved_;       ///< frames, as written in the .fap file
   bool hasFace_ = false;
 };
 

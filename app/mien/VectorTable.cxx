@@ -31,22 +31,6 @@ void addParameter(const char* name, const std::vector<double>& values, const std
 
 }  // namespace
 
-json vectorRows(const MotionField& field, const std::vector<int>& chosen) {
-  const Eigen::VectorXd magnitudes = field.magnitudes();
-  json rows = json::array();
-  for (const int i : chosen)
-    rows.push_back({{"u", parameter(field.u, i)},
-                    {"v", parameter(field.v, i)},
-                    {"x", field.origins(i, 0)},
-                    {"y", field.origins(i, 1)},
-                    {"z", field.origins(i, 2)},
-                    {"dx", field.vectors(i, 0)},
-                    {"dy", field.vectors(i, 1)},
-                    {"dz", field.vectors(i, 2)},
-                    {"magnitude_mm", magnitudes[i]}});
-  return rows;
-}
-
 json vectorSummary(const MotionField& field, const std::vector<int>& chosen) {
   const Eigen::VectorXd magnitudes = field.magnitudes();
   int moving = 0, largest = -1;

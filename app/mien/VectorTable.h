@@ -10,9 +10,6 @@ class vtkPolyData;
 
 namespace mien {
 
-/// A row for each chosen vector: u, v (null on meshes without them), x, y, z, dx, dy, dz, magnitude_mm.
-nlohmann::ordered_json vectorRows(const MotionField& field, const std::vector<int>& chosen);
-
 /// How many vectors, how many of them move, largest and mean (mm), and where the largest starts.
 nlohmann::ordered_json vectorSummary(const MotionField& field, const std::vector<int>& chosen);
 

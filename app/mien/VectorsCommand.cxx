@@ -4,12 +4,13 @@
 
 #include "Command.h"
 #include "CommandText.h"
-#include "CsvText.h"
 #include "FaceStateText.h"
 #include "Failure.h"
 #include "FigureApplication.h"
 #include "FigureFile.h"
+#include "MotionTableText.h"
 #include "MotionVectorFigure.h"
+#include "MotionWords.h"
 #include "OutputFile.h"
 #include "PolyDataFile.h"
 #include "TableRows.h"
@@ -63,7 +64,8 @@ class VectorReport {
   /// Tables hold what region and sampling choose, in front and behind; sampling in the picture knows only what is seen.
   void chooseRows() {
     VectorPictureOptions all = drawing_.picture;
-    all.hidden = all.hidden || all.sampling.kind == VectorSampling::Kind::Every;
+    if (all.sampling.kind == VectorSampling::Kind::Automatic) all.sampling.kind = VectorSampling::Kind::Every;
+    all.hidden = all.hidden || all.sampling.kind != VectorSampling::Kind::Even;
     for (VectorMoment& moment : moments_) {
       chosen_.push_back(drawnVectors(moment.field, all).chosen);
       panels_.push_back({moment.field, moment.frame.empty() ? "" : "frame " + moment.frame});
@@ -74,12 +76,9 @@ class VectorReport {
 
   void addWords() {
     if (options_.drawing.isBare()) return;
-    drawing_.title = "Motion vectors";
-    drawing_.caption = "Motion " + options_.source.origin() +
-                       (options_.source.headMotionRemoved() ? ", without the motion of the head" : "") +
-                       "; view: " + options_.drawing.view() + ".";
-    drawing_.note = options_.source.note() + "; " + drawing_.picture.sampling.description();
-    if (!drawing_.picture.region.isWhole()) drawing_.note += "; region " + drawing_.picture.region.name;
+    MotionWords words = options_.source.words();
+    words.view = options_.drawing.viewName();
+    describeMotion(words, drawing_);
   }
 
   void write(const std::string& name) const {
@@ -88,7 +87,7 @@ class VectorReport {
     else if (FigureOptions::isFigure(name))
       writeFigure(*figure_, name, writeFaceState(moments_.front().state));
     else if (fileEnding(name) == "csv")
-      OutputFile::write(name, csvText(allRows()));
+      OutputFile::write(name, allRows());
     else
       writeOne(name, 0);
   }
@@ -97,27 +96,23 @@ class VectorReport {
     if (FigureOptions::isFigure(name))
       writeFigure(MotionVectorFigure(panels_, moment, drawing_), name, writeFaceState(moments_[moment].state));
     else if (fileEnding(name) == "csv")
-      OutputFile::write(name, csvText(vectorRows(moments_[moment].field, chosen_[moment])));
+      OutputFile::write(name, motionTableText(moments_[moment].field, chosen_[moment]));
     else
       writePolyData(chosenVectors(moments_[moment].vectors, moments_[moment].field, chosen_[moment]), name);
   }
 
   void writeFigure(const MotionVectorFigure& figure, const std::string& name, const std::string& state) const {
     options_.drawing.file().write(
-        name, figure.size(), [&](QPainter& painter) { figure.paint(painter); }, "Motion vectors",
-        commandText(*options_.command) + "\n" + options_.source.note() + "\n" + state);
+        name, figure.size(), [&](QPainter& painter) { figure.paint(painter); }, options_.source.words().title(),
+        commandText(*options_.command) + "\n" + options_.source.words().made + "\n" + state);
   }
 
   /// With the frame before the columns where there are several.
-  json allRows() const {
-    if (moments_.size() == 1) return vectorRows(moments_[0].field, chosen_[0]);
-    json rows = json::array();
-    for (size_t i = 0; i < moments_.size(); ++i)
-      for (const json& row : vectorRows(moments_[i].field, chosen_[i])) {
-        rows.push_back({{"frame", moments_[i].frame}});
-        rows.back().update(row);
-      }
-    return rows;
+  std::string allRows() const {
+    if (moments_.size() == 1) return motionTableText(moments_[0].field, chosen_[0]);
+    std::vector<MotionTablePart> parts;
+    for (size_t i = 0; i < moments_.size(); ++i) parts.push_back({moments_[i].frame, &moments_[i].field, &chosen_[i]});
+    return motionTableText(parts);
   }
 
   json summary(size_t moment) const {
@@ -137,7 +132,7 @@ class VectorReport {
     json about = {{"against", options_.source.against()},
                   {"head_motion_removed", options_.source.headMotionRemoved()},
                   {"view", options_.drawing.view()},
-                  {"sampling", drawing_.picture.sampling.text()},
+                  {"sampling", figure_->sampling().text()},
                   {"scale_mm_motion_per_mm_arrow", figure_->scale()},
                   {"range_mm", {figure_->rangeBegin(), figure_->rangeEnd()}},
                   {"reference_arrow_mm", figure_->reference()}};
@@ -154,10 +149,21 @@ class VectorReport {
     }
     std::cout << readableText(rows);
     if (hasArrows())
-      std::cout << "1 mm of arrow is " << readableNumber(figure_->scale()) << " mm of motion; colours from "
-                << readableNumber(figure_->rangeBegin()) << " to " << readableNumber(figure_->rangeEnd()) << " mm\n";
+      std::cout << "1 mm of arrow is " << readableNumber(figure_->scale()) << " mm of motion; " << colorText() << "\n";
     else
       std::cout << "no motion: the figure has no arrows\n";
+  }
+
+  /// The largest vector may be hidden, or not be sampled.
+  std::string colorText() const {
+    double largest = 0.0;
+    for (size_t i = 0; i < moments_.size(); ++i)
+      for (const int row : chosen_[i]) largest = std::max(largest, moments_[i].field.vectors.row(row).norm());
+    const std::string text =
+        "colours from " + readableNumber(figure_->rangeBegin()) + " to " + readableNumber(figure_->rangeEnd()) + " mm";
+    if (drawing_.range || drawing_.color != MotionVectorOptions::Color::Magnitude || largest <= figure_->rangeEnd())
+      return text;
+    return text + ", which the arrows need; larger vectors are hidden or not sampled";
   }
 
   Options& options_;
@@ -200,7 +206,8 @@ const char* const help =
     "colours,\n"
     "in one figure or in several. Lengths are drawn as seen, colours tell the length in space; what moves by less "
     "than\n"
-    "0.0001 mm has no arrow. Tables (.csv: u, v, x, y, z, dx, dy, dz, magnitude_mm; u runs over the whole face from 0 "
+    "0.0001 mm has no arrow, with --length equal what moves by less than 1 % of the largest. Tables (.csv: u, v, x, y, "
+    "z, dx, dy, dz, magnitude_mm; u runs over the whole face from 0 "
     "to 1)\n"
     "and .vtp files hold all vectors that --region and --sample choose, behind the face too.";
 

@@ -5,6 +5,7 @@
 
 #include "Arguments.h"
 #include "Failure.h"
+#include "vtkMath.h"
 
 namespace mien {
 
@@ -33,6 +34,13 @@ void ViewDirection::unitVector(double direction[3]) const {
   direction[0] = std::sin(a) * std::cos(e);
   direction[1] = std::sin(e);
   direction[2] = std::cos(a) * std::cos(e);
+}
+
+void ViewDirection::axes(double right[3], double up[3], double out[3]) const {
+  const double angle = azimuth * M_PI / 180.0;
+  unitVector(out);
+  right[0] = std::cos(angle), right[1] = 0.0, right[2] = -std::sin(angle);
+  vtkMath::Cross(out, right, up);
 }
 
 ViewDirection parseView(const std::string& text) {

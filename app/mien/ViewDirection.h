@@ -11,6 +11,9 @@ struct ViewDirection {
 
   /// From the head to the camera, unit length.
   void unitVector(double direction[3]) const;
+
+  /// The three directions of the picture, unit length: to its right, up, and from the head to the camera.
+  void axes(double right[3], double up[3], double out[3]) const;
 };
 
 /// front, back, left, right, side (the left), top, 45-right, or AZIMUTH[:ELEVATION] such as 45 or -30:15.

@@ -6,6 +6,7 @@
 #include "Command.h"
 #include "ConsoleMessages.h"
 #include "Failure.h"
+#include "InputGuard.h"
 
 namespace {
 
@@ -38,6 +39,14 @@ void addCommands(CLI::App& program) {
   mien::addLodCommand(program);
   mien::addFatCommand(program);
   mien::addFdtCommand(program);
+}
+
+/// No command may write over what it reads: a mistyped -o would cost a recording.
+void guardInputs(CLI::App& program) {
+  for (CLI::App* command : program.get_subcommands(nullptr)) {
+    guardInputs(*command);
+    command->parse_complete_callback([command] { mien::refuseToOverwrite(*command); });
+  }
 }
 
 /// A first argument that is neither an option nor a command, which CLI11 would only call missing.
@@ -89,6 +98,7 @@ int main(int argc, char** argv) {
   program.require_subcommand(1);
   program.footer("mien COMMAND --help explains a command and gives an example.");
   addCommands(program);
+  guardInputs(program);
   const std::string unknown = unknownCommand(program, argc, argv);
   if (!unknown.empty()) return complain(unknown, wrongOption);
   mien::keepConsoleMessages();

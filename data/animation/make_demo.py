@@ -44,7 +44,8 @@ def values_at(frame, expressions):
               (1.0, speech(frame))]
     for number, expression in enumerate(expressions):
         first = FIRST_EXPRESSION + number * EXPRESSION_LENGTH
-        faps = {int(fap): value for fap, value in expression["faps"].items()}
+        actions = expression.get("actions", [expression])
+        faps = {int(fap): value for action in actions for fap, value in action["faps"].items() if int(fap) in FAPS}
         layers.append((held(frame, first, EXPRESSION_LENGTH, EASE), faps))
     total = dict.fromkeys(FAPS, 0.0)
     for share, faps in layers:

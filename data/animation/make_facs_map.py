@@ -11,6 +11,9 @@ Rules (doc/decisions.md):
 - Blendshapes have the sign of the collection and the size of the action unit it names; OWN fills in what no source sizes.
 - A blendshape of one side has half of what is on the midline, so that both together are the whole.
 - CORNERS: inner mouth corners that one library alone moves go as far as the outer ones, or are left out where those go the other way.
+- Derived rows of a ONE_SIDED unit turn to the side of its value rows: Candide pushes the jaw to the left, the libraries to the right.
+- LIP_SIDES: where libraries contradict each other in the sides of a lip and the rest takes them further than its middle, they keep to the
+  middle as in the Candide model.
 - LEFT_OUT: rows that would move the lips when the head nods; one library alone has them.
 """
 import csv
@@ -27,6 +30,7 @@ PAIRED = {fap for pair in PAIRS for fap in pair}
 ONE_SIDED = {"AU30", "AU32", "AU61", "AU62"}
 SLIPS = {("AU15", 54): -20}  # outward is positive on both sides; the source has +20 beside -20
 CORNERS = {6: 53, 7: 54}  # one library alone moves the inner corners by up to the width of the mouth; the outer ones are the measure
+LIP_SIDES = {10: 5, 11: 5, 57: 52, 58: 52}
 LEFT_OUT = {"AU58": "one library moves the lips with the head", "AU59": "one library moves the lips with the head"}
 ARKIT_UNITS = {"AU43/45": ["AU43"], "AU10 or AU17": ["AU17"], "AU23 or AU24": ["AU24"], "AU26/27": ["AU27"], "AU28 (lower)": ["AU28"],
                "AU28 (upper)": ["AU28"], "AU34 (AD)": ["AU34"], "AU29 (AD)": ["AU29"], "AU30 (AD)": ["AU30"]}
@@ -44,7 +48,7 @@ ROTATIONS = [
     ("pose_Ry", 49, -1, "OpenFace, rad: positive to the subject's right"),
     ("pose_Rz", 50, -1, "OpenFace, rad: positive to the subject's left"),
 ]
-# Live Link Face repeats in these what the eyeLook shapes say; they are written and not read.
+# Live Link Face repeats in these what the eyeLook shapes say; they are read where those are missing or stay 0. No FAP rolls an eye.
 EYES = [("LeftEyeYaw", 23, 1), ("LeftEyePitch", 25, -1), ("LeftEyeRoll", 0, 0), ("RightEyeYaw", 24, 1), ("RightEyePitch", 26, -1),
         ("RightEyeRoll", 0, 0)]
 # Written with a column for each side.
@@ -93,6 +97,31 @@ def symmetric(name, faps):
             faps[left] = faps[right] = ((a + b) / 2, weak_a or weak_b)
 
 
+def candide_faps(rows, name):
+    return {int(row["fap"]): float(row["candide_or_sign"]) for row in rows
+            if row["row_type"] == "AU_to_FAP_derived" and name in CANDIDE.get(row["code"], [row["code"]])}
+
+
+def round_lip(faps, model):
+    for side, middle in LIP_SIDES.items():
+        if side not in faps or middle not in faps or side not in model or middle not in model:
+            continue
+        (value, weak), centre = faps[side], faps[middle][0]
+        if weak and value * centre > 0 and abs(value) > abs(centre):
+            faps[side] = centre * model[side] / model[middle], True
+
+
+def turned_units(rows, units):
+    """One-sided units whose derived rows go to the other side than their value rows: where both know a FAP, it tells."""
+    turned = set()
+    for row in rows:
+        name, fap = row["code"], int(row["fap"] or 0)
+        if row["row_type"] == "AU_to_FAP_derived" and name in ONE_SIDED and fap in units[name][1]:
+            if sign(units[name][1][fap][0]) != sign(float(row["candide_or_sign"])):
+                turned.add(name)
+    return turned
+
+
 def read_units(rows):
     """AU -> (description, FAP -> (value, weak)), and what was left out."""
     units, raw, left_out = {}, {}, []
@@ -119,10 +148,13 @@ def read_units(rows):
                 continue
             chosen = sign(chosen[0]) * min(abs(chosen[0]), abs(outer[0])), True
         units.setdefault(name, (row["name_or_au"], {}))[1][fap] = chosen
+    turned = turned_units(rows, units)
     for row in rows:
         if row["row_type"] != "AU_to_FAP_derived":
             continue
         fap, value = int(row["fap"]), float(row["candide_or_sign"])
+        if row["code"] in turned:
+            value = -value
         for name in CANDIDE.get(row["code"], [row["code"]]):
             faps = units.setdefault(name, (row["name_or_au"], {}))[1]
             if fap not in faps:
@@ -131,6 +163,7 @@ def read_units(rows):
                 faps[fap] = faps[fap][0], True
     for name, (_, faps) in units.items():
         symmetric(name, faps)
+        round_lip(faps, candide_faps(rows, name))
     units["AU9"][1].update({fap: (OWN["noseSneer"][fap], True) for fap in (61, 62, 63)})
     for name, (description, faps) in OWN_UNITS.items():
         units[name] = description, {fap: (value, True) for fap, value in faps.items()}
@@ -197,7 +230,7 @@ def main():
     units, raw, left_out = read_units(rows)
     shapes = read_shapes(rows, units, raw)
     rotations = [{"name": name, "description": note, "faps": {str(fap): direction * 100000}} for name, fap, direction, note in ROTATIONS]
-    rotations += [{"name": name, "faps": {str(fap): direction * 100000} if fap else {}, "written_only": True} for name, fap, direction in EYES]
+    rotations += [{"name": name, "faps": {str(fap): direction * 100000} if fap else {}, "stands_in": True} for name, fap, direction in EYES]
     order = sorted(units, key=lambda name: int(name[2:]))
     print('{\n  "format": "mien facial action map",\n  "version": 1,')
     print('  "action_units": ' + lines([entry(name, units[name][1], units[name][0]) for name in order]) + ",")

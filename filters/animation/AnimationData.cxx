@@ -25,7 +25,23 @@ namespace mien {
 
 namespace {
 
-constexpr size_t largestTable = 4 << 20;  // bytes
+constexpr size_t largestFile = 4 << 20;  // bytes
+
+/// Reads the text of `what` ("animation table"). @return nothing, or what is wrong with the file
+std::string readText(const std::string& fileName, const std::string& what, std::string& text) {
+  std::ifstream file(fileName, std::ios::binary);
+  text.assign(largestFile + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad() || (file.gcount() == 0 && !file.eof()))
+    return fileName + ": the " + what + " cannot be read; give a JSON file";
+  text.resize(file.gcount());
+  return text.size() > largestFile ? fileName + ": the file is larger than 4 MiB, and no " + what : "";
+}
+
+/// A fault with the file and, if it is known, the line.
+std::string placed(const std::string& fileName, int line, const std::string& fault) {
+  return fault.empty() ? "" : fileName + (line > 0 ? ":" + std::to_string(line) : "") + ": " + fault;
+}
 
 /// The curve that a line holds: by `CurveId`, else by the order of the lines; -1 for none.
 int curveOfLine(vtkPolyData* data, vtkIdType line) {
@@ -91,16 +107,18 @@ vtkSmartPointer<vtkPolyData> withOwnPoints(vtkPolyData* data) {
 
 std::string readAnimationTable(const std::string& fileName, AnimationTable& table) {
   if (fileName.empty()) return table.parse(AnimationTableFile());
-  std::ifstream file(fileName, std::ios::binary);
-  std::string text(largestTable + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad() || (file.gcount() == 0 && !file.eof()))
-    return fileName + ": the animation table cannot be read; give a JSON file";
-  text.resize(file.gcount());
-  if (text.size() > largestTable) return fileName + ": the file is larger than 4 MiB, and no animation table";
-  const std::string fault = table.parse(text);
-  if (fault.empty()) return fault;
-  return fileName + (table.faultLine() > 0 ? ":" + std::to_string(table.faultLine()) : "") + ": " + fault;
+  std::string text, fault = readText(fileName, "animation table", text);
+  if (!fault.empty()) return fault;
+  fault = table.parse(text);
+  return placed(fileName, table.faultLine(), fault);
+}
+
+std::string readFacialActions(const std::string& fileName, FacialActionMap& map) {
+  if (fileName.empty()) return map.parse(FacialActionsFile());
+  std::string text, fault = readText(fileName, "facial action map", text);
+  if (!fault.empty()) return fault;
+  fault = map.parse(text);
+  return placed(fileName, map.faultLine, fault);
 }
 
 const ExpressionLibrary& defaultExpressions() {

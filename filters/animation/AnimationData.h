@@ -18,6 +18,10 @@ namespace mien {
 /// @return nothing, or one sentence that names the file, the entry and what is wrong
 MIENANIMATION_EXPORT std::string readAnimationTable(const std::string& fileName, AnimationTable& table);
 
+/// Reads what action units and blendshapes move from a file, or takes what is compiled in when the name is empty.
+/// @return nothing, or one sentence that names the file, the entry and what is wrong
+MIENANIMATION_EXPORT std::string readFacialActions(const std::string& fileName, FacialActionMap& map);
+
 /// The expressions compiled in.
 MIENANIMATION_EXPORT const ExpressionLibrary& defaultExpressions();
 

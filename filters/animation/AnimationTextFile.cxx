@@ -22,6 +22,10 @@ void readAll(std::istream& stream, std::string& text) {
 
 }  // namespace
 
+std::string shownAnimationName(const std::string& name) {
+  return name == "-" ? "standard input" : name;
+}
+
 std::string readAnimationText(const std::string& name, std::string& text) {
   text.clear();
   std::error_code ignored;

@@ -5,12 +5,16 @@
 #include "FAPFields.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkTable.h"
 
 namespace mien {
 
 namespace {
+
+constexpr const char* loadArray = "AnimationLoad";
 
 /// Calls visit(column name, value) for every column but those of FAP 3 .. 68; Frame is FAPFrame or const FAPFrame.
 template <typename Frame, typename Visitor>
@@ -66,6 +70,18 @@ void writeFAPFrame(const FAPFrame& frame, vtkTable* table) {
   visitHighLevelColumns(frame, [table](const char* name, double value) { appendColumn(table, name, value); });
   for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
     appendColumn(table, columnName(fap), frame.value(fap));
+}
+
+int readLoadNumber(vtkTable* table) {
+  vtkIntArray* numbers = vtkIntArray::SafeDownCast(table->GetFieldData()->GetArray(loadArray));
+  return numbers && numbers->GetNumberOfValues() == 1 ? numbers->GetValue(0) : 0;
+}
+
+void writeLoadNumber(int number, vtkTable* table) {
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName(loadArray);
+  numbers->InsertNextValue(number);
+  table->GetFieldData()->AddArray(numbers);
 }
 
 }  // namespace mien

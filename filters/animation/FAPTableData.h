@@ -18,6 +18,7 @@ class vtkTable;
 ///   `FAP2_expression_intensity2` (selections 0 .. 6, intensities 0 .. 63), `FAP2_expression_init_face`,
 ///   `FAP2_expression_def` (0 or 1);
 /// - `FAP3` .. `FAP68` in FAP units.
+/// In the field data, when the frame comes from a reader: `AnimationLoad` (int), which differs between any two files.
 namespace mien {
 
 /// Reads one row; columns may be of any numeric type and order, and a column that is not there counts as 0.
@@ -26,5 +27,9 @@ MIENANIMATION_EXPORT std::string readFAPFrame(vtkTable* table, vtkIdType row, FA
 
 /// Makes the table hold this frame alone, with all the columns named above.
 MIENANIMATION_EXPORT void writeFAPFrame(const FAPFrame& frame, vtkTable* table);
+
+/// Which loading of a file the frame comes from; 0 when the table does not say.
+int readLoadNumber(vtkTable* table);
+void writeLoadNumber(int number, vtkTable* table);
 
 }  // namespace mien

@@ -4,6 +4,7 @@
 
 #include "BoundaryCurveData.h"
 #include "FacePipeline.h"
+#include "LandmarkLines.h"
 #include "MotionFieldData.h"
 #include "PipelineErrors.h"
 #include "vtkFieldData.h"
@@ -80,6 +81,7 @@ FaceState FaceMotion::neutralOf(const FaceState& state) {
   neutral.interpolateFrames = none.interpolateFrames;
   neutral.fapValues = none.fapValues;
   neutral.expressions = none.expressions;
+  neutral.visemes = none.visemes;
   neutral.deformation = none.deformation;
   return neutral;
 }
@@ -109,8 +111,10 @@ std::string FaceMotion::update() {
   std::string fault = Impl->updateVectors();
   if (fault.empty()) fault = Impl->readOriginFace();
   if (!fault.empty()) return fault;
-  return readMotionField(Impl->filter->GetOutput(), Impl->origin.grid(), Impl->drawn.grid(),
-                         Impl->filter->GetRemoveHeadRotation(), Impl->field);
+  fault = readMotionField(Impl->filter->GetOutput(), Impl->origin.grid(), Impl->drawn.grid(),
+                          Impl->filter->GetRemoveHeadRotation(), Impl->field);
+  if (fault.empty()) Impl->field.landmarks = landmarkLines(Impl->originFace);
+  return fault;
 }
 
 vtkPolyData* FaceMotion::vectors() const {

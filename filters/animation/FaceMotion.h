@@ -31,7 +31,7 @@ class MIENANIMATION_EXPORT FaceMotion {
   /// Where the points are, and where they come from. They can be given to the pipelines before, to check them.
   void setStates(const FaceState& moved, const FaceState& origin);
 
-  /// The face without FAPs, expressions, frame or deformation.
+  /// The face without FAPs, expressions, visemes, frame or deformation.
   static FaceState neutralOf(const FaceState& state);
 
   FacePipeline& moved();

@@ -118,6 +118,10 @@ struct FacePipeline::Internals {
     else if (state.frameChoice == Choice::Time)
       index = static_cast<int>(frames->GetSequence().indexAtTime(state.frame));
     if (index < 0 || index >= frames->GetNumberOfFrames()) return this->describeMissingFrame();
+    const FAPSequence& sequence = frames->GetSequence();
+    // The last frame is shown for as long as the others.
+    if (state.frameChoice == Choice::Time && state.frame >= sequence.duration() + 1.0 / sequence.framesPerSecond)
+      return this->describeMissingTime();
     frames->SetInterpolate(mixed);
     frames->SetFrameIndex(mixed ? -1 : index);
     return {};
@@ -132,6 +136,13 @@ struct FacePipeline::Internals {
            << all.back().number;
     else
       text << "with index " << state.frame << "; indices run from 0 to " << all.size() - 1;
+    return text.str();
+  }
+
+  std::string describeMissingTime() const {
+    std::ostringstream text;
+    text << state.fapFile << ": there is no frame at " << state.frame << " s; the animation lasts from 0 to "
+         << frames->GetSequence().duration() << " s";
     return text.str();
   }
 
@@ -168,6 +179,7 @@ struct FacePipeline::Internals {
       reader->Modified();
       edit->Modified();
       frames->Modified();
+      animation->Modified();
       table->Modified();
     }
     return fault;
@@ -257,6 +269,10 @@ int FacePipeline::pointsPerCurve() const {
 
 std::string FacePipeline::updateCurves() {
   return this->Impl->update(this->Impl->curves);
+}
+
+std::string FacePipeline::updateGrid() {
+  return this->Impl->update(this->Impl->skin);
 }
 
 std::string FacePipeline::update() {

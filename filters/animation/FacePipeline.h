@@ -37,7 +37,7 @@ class MIENANIMATION_EXPORT FacePipeline {
   vtkFAPAnimationFilter* animation() const;
   vtkAlgorithm* curves() const;     ///< vtkPolyData, the boundary curves as animated
   vtkPDEFaceFilter* face() const;   ///< vtkStructuredGrid with the mouth slit blanked, before any table
-  vtkStructuredGrid* grid() const;  ///< the same as the table leaves it; brought up to date by update()
+  vtkStructuredGrid* grid() const;  ///< the same as the table leaves it; brought up to date by update(), updateGrid()
   vtkAlgorithm* surface()
       const;  ///< vtkPolyData for mappers, locators and writers: without the slit; wound inwards as the grid
 
@@ -53,6 +53,9 @@ class MIENANIMATION_EXPORT FacePipeline {
 
   /// Brings the animated curves up to date; the first error on the way as one sentence, or nothing.
   std::string updateCurves();
+
+  /// Brings the grid up to date but not the polygons of surface(); the first error on the way, or nothing.
+  std::string updateGrid();
 
   /// Brings the surface up to date; the first error on the way as one sentence, or nothing.
   std::string update();

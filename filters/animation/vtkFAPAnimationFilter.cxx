@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <set>
+#include <system_error>
+#include <utility>
 
 #include "AnimationData.h"
 #include "BoundaryCurveData.h"
@@ -31,6 +34,14 @@ void passTime(vtkInformation* from, vtkInformation* to, vtkInformationDoubleKey*
   if (from->Has(key)) to->Set(key, from->Get(key));
 }
 
+/// When a file was modified and how large it is.
+std::pair<long long, unsigned long long> stateOf(const std::string& file) {
+  std::error_code none;
+  if (file.empty()) return {};
+  return {std::filesystem::last_write_time(file, none).time_since_epoch().count(),
+          std::filesystem::file_size(file, none)};
+}
+
 std::vector<std::string> namesOf(const mien::ExpressionLibrary& library) {
   std::vector<std::string> names;
   for (const mien::ExpressionProfile& profile : library.expressions()) names.push_back(profile.name);
@@ -46,11 +57,19 @@ struct vtkFAPAnimationFilter::Internals {
 
   mien::FaceAnimator Animator;
   bool Bound = false;
-  bool TableChanged = true;
-  vtkPolyData* BoundInput = nullptr;  // compared with, never used
+  bool TableMayHaveChanged = true;
+  std::string BoundTable;
+  std::pair<long long, unsigned long long> TableState;  // of the file bound: modified, size
+  vtkPolyData* BoundInput = nullptr;                    // compared with, never used
   vtkMTimeType BoundTime = 0;
   std::set<int> Ignored;
-  double LargestPushed = 0.0;
+  double LargestPushed = 0.0, LargestClamped = 0.0;
+  int Load = 0;  // of the animation file that these belong to
+
+  void forgetResults() {
+    Ignored.clear();
+    LargestPushed = LargestClamped = 0.0;
+  }
 };
 
 vtkFAPAnimationFilter::vtkFAPAnimationFilter() : Impl(std::make_unique<Internals>()) {
@@ -82,7 +101,7 @@ void vtkFAPAnimationFilter::SetFAP(int fap, double value) {
     return;
   }
   this->Impl->Values.setValue(fap, value);
-  this->Modified();
+  this->Superclass::Modified();
 }
 
 double vtkFAPAnimationFilter::GetFAP(int fap) const {
@@ -93,7 +112,7 @@ double vtkFAPAnimationFilter::GetFAP(int fap) const {
 void vtkFAPAnimationFilter::ClearFAPs() {
   if (this->Impl->Values.isNeutral()) return;
   this->Impl->Values = mien::FAPFrame();
-  this->Modified();
+  this->Superclass::Modified();
 }
 
 void vtkFAPAnimationFilter::SetExpression(const std::string& name, double intensity) {
@@ -107,7 +126,7 @@ void vtkFAPAnimationFilter::SetExpression(const std::string& name, double intens
   }
   if (this->GetExpression(name) == intensity) return;
   this->Impl->Expressions[name] = intensity;
-  this->Modified();
+  this->Superclass::Modified();
 }
 
 double vtkFAPAnimationFilter::GetExpression(const std::string& name) const {
@@ -118,7 +137,7 @@ double vtkFAPAnimationFilter::GetExpression(const std::string& name) const {
 void vtkFAPAnimationFilter::ClearExpressions() {
   if (this->Impl->Expressions.empty()) return;
   this->Impl->Expressions.clear();
-  this->Modified();
+  this->Superclass::Modified();
 }
 
 void vtkFAPAnimationFilter::SetViseme(const std::string& name, double strength) {
@@ -132,7 +151,7 @@ void vtkFAPAnimationFilter::SetViseme(const std::string& name, double strength) 
   }
   if (this->GetViseme(name) == strength) return;
   this->Impl->Visemes[name] = strength;
-  this->Modified();
+  this->Superclass::Modified();
 }
 
 double vtkFAPAnimationFilter::GetViseme(const std::string& name) const {
@@ -143,7 +162,7 @@ double vtkFAPAnimationFilter::GetViseme(const std::string& name) const {
 void vtkFAPAnimationFilter::ClearVisemes() {
   if (this->Impl->Visemes.empty()) return;
   this->Impl->Visemes.clear();
-  this->Modified();
+  this->Superclass::Modified();
 }
 
 std::vector<std::string> vtkFAPAnimationFilter::GetVisemeNames() {
@@ -169,7 +188,6 @@ double vtkFAPAnimationFilter::GetExpressionFAP(const std::string& name, int fap)
 void vtkFAPAnimationFilter::SetAnimationTableFileName(const std::string& name) {
   if (name == this->Impl->TableFileName) return;
   this->Impl->TableFileName = name;
-  this->Impl->TableChanged = true;
   this->Modified();
 }
 
@@ -201,6 +219,10 @@ double vtkFAPAnimationFilter::GetLargestPushed() const {
   return this->Impl->LargestPushed;
 }
 
+double vtkFAPAnimationFilter::GetLargestContactClamped() const {
+  return this->Impl->LargestClamped;
+}
+
 double vtkFAPAnimationFilter::GetKeptShare() const {
   return this->Impl->Bound ? this->Impl->Animator.keptShare() : 1.0;
 }
@@ -228,23 +250,53 @@ int vtkFAPAnimationFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVe
   return 1;
 }
 
+void vtkFAPAnimationFilter::Modified() {
+  if (this->Impl) this->Impl->TableMayHaveChanged = true;
+  this->Superclass::Modified();
+}
+
+bool vtkFAPAnimationFilter::IsPrepared(vtkPolyData* curves) {
+  Internals& impl = *this->Impl;
+  if (!impl.Bound || impl.BoundInput != curves || impl.BoundTime != curves->GetMTime()) return false;
+  if (!impl.TableMayHaveChanged) return true;
+  const bool same = impl.BoundTable == impl.TableFileName && stateOf(impl.TableFileName) == impl.TableState;
+  impl.TableMayHaveChanged = !same;
+  return same;
+}
+
 /// Binds the animation table to the face when either is new.
 std::string vtkFAPAnimationFilter::Prepare(vtkPolyData* curves) {
+  if (this->IsPrepared(curves)) return {};
   Internals& impl = *this->Impl;
-  if (impl.Bound && !impl.TableChanged && impl.BoundInput == curves && impl.BoundTime == curves->GetMTime()) return {};
   impl.Bound = false;
   mien::FaceCurves face;
   std::string fault = mien::readFaceCurves(curves, face);
   mien::AnimationTable table;
+  impl.TableState = stateOf(impl.TableFileName);
   if (fault.empty()) fault = mien::readAnimationTable(impl.TableFileName, table);
   if (fault.empty()) fault = impl.Animator.bind(face, table);
   impl.Bound = fault.empty();
-  impl.TableChanged = !impl.Bound;
+  impl.BoundTable = impl.TableFileName;
+  impl.TableMayHaveChanged = !impl.Bound;
   impl.BoundInput = curves;
   impl.BoundTime = curves->GetMTime();
-  impl.Ignored.clear();
-  impl.LargestPushed = 0.0;
+  impl.forgetResults();
   return fault;
+}
+
+/// What frames of one file left out is not said of another.
+void vtkFAPAnimationFilter::ForgetOtherFile(int load) {
+  if (load != this->Impl->Load) this->Impl->forgetResults();
+  this->Impl->Load = load;
+}
+
+void vtkFAPAnimationFilter::NoteResults(const mien::FAPFrame& frame) {
+  Internals& impl = *this->Impl;
+  impl.LargestPushed = std::max(impl.LargestPushed, impl.Animator.pushed());
+  impl.LargestClamped = std::max(impl.LargestClamped, impl.Animator.contactClamped());
+  const size_t known = impl.Ignored.size();
+  for (const int fap : impl.Animator.ignoredFAPs(frame)) impl.Ignored.insert(fap);
+  if (impl.Ignored.size() > known) this->InvokeEvent(IgnoredFAPsEvent);
 }
 
 namespace {
@@ -312,18 +364,16 @@ int vtkFAPAnimationFilter::RequestData(vtkInformation*, vtkInformationVector** i
   for (const auto& [name, intensity] : this->Impl->Expressions) mien::defaultExpressions().add(name, intensity, frame);
   for (const auto& [name, strength] : this->Impl->Visemes) mien::defaultVisemes().add(name, strength, frame);
   if (this->GetAbortExecute()) return 1;
+  this->ForgetOtherFile(table ? mien::readLoadNumber(table) : 0);
   const mien::FaceCurves& neutral = this->Impl->Animator.neutral();
   const mien::HeadRotation rotation = takeHeadRotation(neutral, frame);
   mien::ClosedCurves moved = this->Impl->Animator.animate(frame);
   rotation.apply(moved.points);
-  this->Impl->LargestPushed = std::max(this->Impl->LargestPushed, this->Impl->Animator.pushed());
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   mien::writeMovedCurves(this->Impl->Animator.neutral().curves, moved, curves, output);
   turnFields(neutral, rotation, output);
   copyDataTime(table, output);
-  const size_t known = this->Impl->Ignored.size();
-  for (int fap : this->Impl->Animator.ignoredFAPs(frame)) this->Impl->Ignored.insert(fap);
-  if (this->Impl->Ignored.size() > known) this->InvokeEvent(IgnoredFAPsEvent);
+  this->NoteResults(frame);
   return 1;
 }
 

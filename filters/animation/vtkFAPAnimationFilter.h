@@ -29,6 +29,10 @@
 #include "vtkCommand.h"
 #include "vtkPolyDataAlgorithm.h"
 
+namespace mien {
+class FAPFrame;
+}
+
 class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
  public:
   static vtkFAPAnimationFilter* New();
@@ -75,7 +79,10 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   static double GetExpressionFAP(const std::string& name, int fap);
 
   ///@{
-  /** A JSON file that says which points each FAP moves. Default: none, which gives the table compiled in. */
+  /**
+   * A JSON file that says which points each FAP moves. It is read again when it has changed on disk and the filter is
+   * updated after Modified(). Default: none, which gives the table compiled in.
+   */
   void SetAnimationTableFileName(const std::string& name);
   std::string GetAnimationTableFileName() const;
   ///@}
@@ -89,21 +96,28 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   /** The deepest crossing of lips or lids that was undone, in mm; 0 when none was. */
   double GetContactClamped() const;
 
+  /** The same, the largest of all frames of this face, table and file so far. */
+  double GetLargestContactClamped() const;
+
   /** How many points of the lips and lids that moved. */
   int GetContactPoints() const;
 
   /** How far curves gave way because their neighbours left them no room, in mm; 0 when all had room. */
   double GetPushed() const;
 
-  /** The same, the largest of all frames so far. */
+  /** The same, the largest of all frames of this face, table and file so far. */
   double GetLargestPushed() const;
 
   /** 1, or the share of the movement that was kept when absurd values would have crossed curves. */
   double GetKeptShare() const;
 
-  /** The FAPs set in any frame so far that move nothing: the face or the animation table has no such part. */
+  /** The FAPs set in any frame of this face, table and file so far that move nothing: the face or the animation table
+   * has no such part. */
   std::vector<int> GetIgnoredFAPs() const;
   ///@}
+
+  /** The animation table's file may have changed: the next update looks. */
+  void Modified() override;
 
  protected:
   vtkFAPAnimationFilter();
@@ -118,7 +132,10 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   void operator=(const vtkFAPAnimationFilter&) = delete;
 
   bool CheckFAP(int fap);
+  bool IsPrepared(vtkPolyData* curves);
   std::string Prepare(vtkPolyData* curves);
+  void ForgetOtherFile(int load);
+  void NoteResults(const mien::FAPFrame& frame);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -1,6 +1,7 @@
 #include "vtkFAPReader.h"
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <system_error>
 
@@ -22,7 +23,7 @@ namespace {
 std::string readSequence(const std::string& name, mien::FAPSequence& sequence, std::string& format) {
   if (name.empty()) return "there is no file name; set one with SetFileName";
   std::string text;
-  const std::string shown = name == "-" ? "standard input" : name;
+  const std::string shown = mien::shownAnimationName(name);
   const std::string fault = mien::readAnimationText(name, text);
   if (!fault.empty()) return shown + ": " + fault;
   const mien::FacialActionMap& map = mien::defaultFacialActions();
@@ -31,6 +32,8 @@ std::string readSequence(const std::string& name, mien::FAPSequence& sequence, s
   if (!error) format = mien::nameOf(*recognised);
   return error ? shown + ":" + std::to_string(error->line) + ": " + error->message : "";
 }
+
+std::atomic<int> loads{0};
 
 }  // namespace
 
@@ -51,16 +54,27 @@ int vtkFAPReader::CanReadFile(const char* fileName) {
 std::string vtkFAPReader::Load() {
   FileState state;
   state.Name = this->FileName ? this->FileName : "";
+  if (!this->MayHaveChanged && !this->Sequence->frames.empty() && state.Name == this->Loaded.Name) return {};
   if (state.Name == "-" && this->Streams)
     return this->Sequence->frames.empty() ? "standard input: no frame has come yet; wait for the first" : "";
   std::error_code ignored;
   if (state.Name != "-")
     state.Modified = std::filesystem::last_write_time(state.Name, ignored).time_since_epoch().count();
   if (state.Name != "-") state.Size = std::filesystem::file_size(state.Name, ignored);
-  if (!this->Sequence->frames.empty() && state == this->Loaded) return {};
+  if (!this->Sequence->frames.empty() && state == this->Loaded) {
+    this->MayHaveChanged = false;
+    return {};
+  }
   const std::string fault = readSequence(state.Name, *this->Sequence, this->Format);
-  if (fault.empty()) this->Loaded = state;
-  return fault;
+  if (!fault.empty()) return fault;
+  this->Loaded = state;
+  this->MayHaveChanged = false;
+  this->Streams = false;
+  this->LoadNumber = ++loads;
+  this->Times.resize(this->Sequence->frames.size());
+  for (std::size_t index = 0; index < this->Times.size(); ++index)
+    this->Times[index] = this->Sequence->timeOfFrame(index);
+  return {};
 }
 
 void vtkFAPReader::StartStream(double framesPerSecond, const std::string& name) {
@@ -71,12 +85,36 @@ void vtkFAPReader::StartStream(double framesPerSecond, const std::string& name) 
   this->Loaded = FileState();
   this->Loaded.Name = "-";
   this->Streams = true;
+  this->LoadNumber = ++loads;
   this->Modified();
 }
 
 void vtkFAPReader::AppendFrame(const mien::FAPFrame& frame) {
   this->Sequence->frames.push_back(frame);
-  this->Modified();
+  this->Superclass::Modified();
+}
+
+void vtkFAPReader::ClearFrames() {
+  if (!this->Streams) return;
+  this->Sequence->frames.clear();
+  this->Superclass::Modified();
+}
+
+void vtkFAPReader::Modified() {
+  this->MayHaveChanged = true;
+  this->Superclass::Modified();
+}
+
+void vtkFAPReader::SetFrameIndex(int index) {
+  if (index == this->FrameIndex) return;
+  this->FrameIndex = index;
+  this->Superclass::Modified();  // of the file nothing is new
+}
+
+void vtkFAPReader::SetInterpolate(bool on) {
+  if (on == this->Interpolate) return;
+  this->Interpolate = on;
+  this->Superclass::Modified();
 }
 
 int vtkFAPReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
@@ -85,12 +123,15 @@ int vtkFAPReader::RequestInformation(vtkInformation*, vtkInformationVector**, vt
     vtkErrorMacro(<< fault);
     return 0;
   }
-  std::vector<double> times(this->Sequence->frames.size());
-  for (std::size_t index = 0; index < times.size(); ++index) times[index] = this->Sequence->timeOfFrame(index);
-  const double range[2] = {times.front(), times.back()};
+  // All filters behind copy what is published; a frame chosen by its index follows no time.
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  const double range[2] = {0.0, this->Sequence->duration()};
   vtkInformation* information = outputs->GetInformationObject(0);
-  information->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-  information->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  information->Remove(SDDP::TIME_STEPS());
+  information->Remove(SDDP::TIME_RANGE());
+  if (this->FrameIndex >= 0) return 1;
+  information->Set(SDDP::TIME_RANGE(), range, 2);
+  if (!this->Streams) information->Set(SDDP::TIME_STEPS(), this->Times.data(), static_cast<int>(this->Times.size()));
   return 1;
 }
 
@@ -113,6 +154,7 @@ int vtkFAPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInform
   const double shown =
       this->Interpolate ? std::clamp(time, 0.0, sequence.duration()) : sequence.timeOfFrame(sequence.indexAtTime(time));
   table->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), shown);
+  mien::writeLoadNumber(this->LoadNumber, table);
   return 1;
 }
 
@@ -139,7 +181,8 @@ std::string vtkFAPReader::GetVersion() const {
 std::vector<std::string> vtkFAPReader::GetWarnings() const {
   std::vector<std::string> warnings;
   for (const mien::FAPWarning& warning : this->Sequence->warnings)
-    warnings.push_back(this->Loaded.Name + ":" + std::to_string(warning.line) + ": " + warning.message);
+    warnings.push_back(mien::shownAnimationName(this->Loaded.Name) + ":" + std::to_string(warning.line) + ": " +
+                       warning.message);
   return warnings;
 }
 

@@ -4,7 +4,8 @@
  *
  * Output: vtkTable with one row; double columns `frame`, `FAP1_viseme_select1` .. `FAP2_expression_def` and
  * `FAP3` .. `FAP68` (FAP units) as described in FAPTableData.h. The reader publishes TIME_STEPS (s; frame i, from 0,
- * is at i / frames per second) and TIME_RANGE, and answers UPDATE_TIME_STEP; the information of the output carries
+ * is at i / frames per second) and TIME_RANGE while its output follows the time, and answers UPDATE_TIME_STEP; a stream
+ * publishes the range only, as it grows with every frame; the information of the output carries
  * DATA_TIME_STEP, the time of the frame given. Without a time request it gives the first frame.
  * Formats, and what is accepted with a warning: .fap (FAPParser.h); tables with a header (.csv) of FAPs
  * (FAPCsvParser.h), FACS action units or ARKit blendshapes (CaptureParser.h), which is seen from the header. Errors:
@@ -43,13 +44,13 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
 
   ///@{
   /** The frame to give whatever time is asked for, from 0; -1: the frame of the time. Default: -1. */
-  vtkSetMacro(FrameIndex, int);
+  void SetFrameIndex(int index);
   vtkGetMacro(FrameIndex, int);
   ///@}
 
   ///@{
   /** Whether times between two frames give their linear mixture instead of the frame before. Default: off. */
-  vtkSetMacro(Interpolate, bool);
+  void SetInterpolate(bool on);
   vtkGetMacro(Interpolate, bool);
   vtkBooleanMacro(Interpolate, bool);
   ///@}
@@ -61,10 +62,14 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
    */
   void StartStream(double framesPerSecond, const std::string& name);
   void AppendFrame(const mien::FAPFrame& frame);
+  void ClearFrames();  ///< forgets those appended so far, where only the newest is wanted
   ///@}
 
   /** Whether a file is one of these without a fault: 1 or 0, in silence. */
   static int CanReadFile(const char* fileName);
+
+  /** The file may have changed: the next update looks. */
+  void Modified() override;
 
   ///@{
   /** What the file loaded last says; call UpdateInformation() first. */
@@ -100,6 +105,9 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
   bool Interpolate = false;
 
   std::unique_ptr<mien::FAPSequence> Sequence;
+  std::vector<double> Times;   // of the frames, s
+  bool MayHaveChanged = true;  // the file, since it was looked at
+  int LoadNumber = 0;          // differs between any two files and streams of a program
   struct FileState {
     std::string Name;
     long long Modified = 0;

@@ -187,7 +187,7 @@ std::string vtkMotionVectorFilter::Compute(vtkPointSet* moved, vtkPointSet* neut
   }
   mien::RigidMotion motion;
   if (this->RemoveRigidMotion) {
-    motion = mien::fitRigidMotion(field.Origins, target);
+    motion = mien::fitStillPart(field.Origins, target);
     target = motion.undone(target);
   }
   this->RigidAngle = motion.angle() * 180.0 / M_PI;

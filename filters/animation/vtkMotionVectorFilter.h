@@ -10,12 +10,13 @@
  *
  * Equation: vector = moved - neutral [Sheng et al. 2011, section 5]; the projection is orthogonal along ViewDirection.
  * With RemoveHeadRotation each surface is first turned back by its own field array `HeadRotation` (1 x 12, as
- * vtkFAPAnimationFilter writes it); with RemoveRigidMotion the rigid motion that then takes the neutral points nearest
- * to the moved ones [Kabsch 1976] is undone. With neither a vector is the difference of its points to the bit. Time:
- * the steps of both inputs are published, and a time request is passed on to both. Pieces: those of the inputs; while
- * RemoveRigidMotion is on, all is in piece 0, because the fit needs all points. Limitations: the fit sees all points
- * alike, so that a large one-sided movement is taken for a little head motion. Errors: an input without points, points
- * that are not finite, different topology, a `HeadRotation` that is none, a view up along the view direction.
+ * vtkFAPAnimationFilter writes it); with RemoveRigidMotion the rigid motion of the part that keeps its shape is then
+ * undone: least squares [Kabsch 1976] with weights that leave out what moves by itself (mien::fitStillPart). With
+ * neither a vector is the difference of its points to the bit. Time: the steps of both inputs are published, and a time
+ * request is passed on to both. Pieces: those of the inputs; while RemoveRigidMotion is on, all is in piece 0, because
+ * the fit needs all points. Limitations: the fit needs a quarter of the points, at least, that move with the head
+ * alone. Errors: an input without points, points that are not finite, different topology, a `HeadRotation` that is
+ * none, a view up along the view direction.
  * @sa vtkFAPAnimationFilter
  */
 #ifndef vtkMotionVectorFilter_h
@@ -42,7 +43,7 @@ class MIENANIMATION_EXPORT vtkMotionVectorFilter : public vtkPolyDataAlgorithm {
   ///@}
 
   ///@{
-  /** Whether the rigid motion of all points, found by least squares, is removed. Default off. */
+  /** Whether the rigid motion of the part that keeps its shape is removed. Default off. */
   vtkSetMacro(RemoveRigidMotion, bool);
   vtkGetMacro(RemoveRigidMotion, bool);
   vtkBooleanMacro(RemoveRigidMotion, bool);

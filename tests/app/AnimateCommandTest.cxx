@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
-#include <signal.h>
 
 #include <array>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
+#include "AnimateRun.h"
 #include "PictureFile.h"
-#include "Program.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
@@ -13,24 +14,9 @@
 
 namespace {
 
-const std::string demo = std::string(MIEN_DATA_DIR) + "/animation/demo.fap";
-const std::vector<std::string> small = {"--size", "48x40", "--resolution", "29x20"};
-
-Outcome animate(std::vector<std::string> options) {
-  options.insert(options.begin(), "animate");
-  options.insert(options.end(), small.begin(), small.end());
-  return runMien(options);
-}
-
-std::string frameName(int index) {
-  char name[32];
-  std::snprintf(name, sizeof name, "frame_%04d.png", index);
-  return name;
-}
-
 TEST(AnimateCommand, WritesEveryFrame) {
   const TemporaryFolder folder;
-  const std::string frames = folder.file("a/frames");
+  const std::string frames = folder.file("frames");
   const Outcome outcome = animate({demo, "--range", "0:9", "-o", frames});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_EQ(entriesIn(frames), 10);
@@ -74,14 +60,6 @@ TEST(AnimateCommand, SurfaceSeriesNamesItsFilesAndTimes) {
   reader->SetFileName(folder.file("film/film_0001.vtp").c_str());
   reader->Update();
   EXPECT_GT(reader->GetOutput()->GetNumberOfCells(), 28 * 19);
-}
-
-std::vector<double> timesIn(const std::string& series) {
-  const std::string text = readTextFile(series);
-  std::vector<double> times;
-  for (size_t at = 0; (at = text.find("timestep=\"", at)) != std::string::npos; ++at)
-    times.push_back(std::stod(text.substr(at + 10)));
-  return times;
 }
 
 TEST(AnimateCommand, SeriesAreGridsUnlessPolygonsAreAskedFor) {
@@ -144,7 +122,7 @@ class FfmpegStandIn {
 
 TEST(AnimateCommand, FilmsOfOtherKindsGoThroughFfmpeg) {
   const TemporaryFolder folder;
-  const FfmpegStandIn ffmpeg(folder, "echo \"$@\" > \"$last\"\nwc -c >> \"$last\"\n");
+  const FfmpegStandIn ffmpeg(folder, "last=${last#file:}\necho \"$@\" > \"$last\"\nwc -c >> \"$last\"\n");
   for (const char* ending : {"mp4", "webm", "gif"}) {
     const std::string film = folder.file(std::string("film.") + ending);
     const Outcome outcome = animate({demo, "--frames", "0:4", "-o", film});
@@ -173,54 +151,6 @@ TEST(AnimateCommand, WithoutFfmpegTheSentenceSaysWhatToDo) {
   setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(outcome.exitCode, 1);
   EXPECT_NE(outcome.errors.find(".webm needs ffmpeg, which is not installed"), std::string::npos) << outcome.errors;
-}
-
-/// A command with a pipe as its standard input.
-class Piped {
- public:
-  explicit Piped(std::vector<std::string> words) {
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) return;
-    words.insert(words.begin(), MIEN_PROGRAM);
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, ends[0], 0);
-    posix_spawn(&child_, argv[0], &files, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&files);
-    close(ends[0]);
-    input_ = ends[1];
-  }
-  void send(const std::string& text) {
-    ASSERT_EQ(write(input_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
-  }
-  void interrupt() { kill(child_, SIGINT); }
-  int end() {
-    close(input_);
-    int status = 0;
-    waitpid(child_, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
- private:
-  pid_t child_ = 0;
-  int input_ = -1;
-};
-
-/// Lines of the demonstration: two of header, two per frame.
-std::string demoLines(int first, int last) {
-  std::istringstream lines(readTextFile(demo));
-  std::string text, line;
-  for (int number = 1; std::getline(lines, line); ++number)
-    if (number >= first && number <= last) text += line + "\n";
-  return text;
-}
-
-bool appears(const std::string& file) {
-  for (int i = 0; i < 3000 && !std::filesystem::exists(file); ++i) usleep(10000);
-  return std::filesystem::exists(file);
 }
 
 TEST(AnimateCommand, AStreamIsShownAsItComes) {
@@ -269,20 +199,6 @@ TEST(AnimateCommand, WritesAFilm) {
   EXPECT_EQ(entriesIn(folder.file("")), 1);
 }
 
-/// Seconds that a Theora film lasts: the number in its last Ogg page's granule position over the rate in its first
-/// header.
-double secondsOfFilm(const std::string& bytes) {
-  const auto byte = [&](size_t at) { return static_cast<unsigned long>(static_cast<unsigned char>(bytes.at(at))); };
-  const size_t header = bytes.find("\x80theora");
-  const auto number = [&](size_t at) { return byte(at) << 24 | byte(at + 1) << 16 | byte(at + 2) << 8 | byte(at + 3); };
-  const double rate = static_cast<double>(number(header + 22)) / static_cast<double>(number(header + 26));
-  const unsigned long shift = (byte(header + 40) & 3) << 3 | byte(header + 41) >> 5;
-  const size_t last = bytes.rfind("OggS");
-  unsigned long position = 0;
-  for (size_t i = 0; i < 8; ++i) position |= byte(last + 6 + i) << (8 * i);
-  return static_cast<double>((position >> shift) + (position & ((1ul << shift) - 1))) / rate;
-}
-
 TEST(AnimateCommand, AFilmLastsAsLongAsItsFramesAtRatesThatAreNotWhole) {
   const TemporaryFolder folder;
   for (const double rate : {0.5, 2.5, 7.3, 29.97}) {
@@ -317,11 +233,18 @@ TEST(AnimateCommand, WrongValuesAndFilesAreRefused) {
       {{demo}, 2},
       {{demo, "-o", folder.file("film.xyz")}, 2},
       {{demo, "-o", frames, "--range", "900:"}, 2},
-      {{demo, "-o", frames, "--range", "3"}, 2},
+      {{demo, "-o", frames, "--range", "3:4:5"}, 2},
       {{demo, "-o", frames, "--fps", "0"}, 2},
       {{demo, "-o", folder.file("no/film.ogv")}, 1},
       {{demo, "--contact-sheet", folder.file("no/sheet.png")}, 1},
       {{demo, "-o", folder.file("bad.fap") + "/x"}, 1},
+      {{demo, "-o", folder.file("no/frames/")}, 1},
+      {{demo, "-o", frames, "--frames", "900:"}, 2},
+      {{demo, "-o", frames, "--frames", ""}, 2},
+      {{demo, "-o", frames, "--frames", "1,2", "--fps", "50"}, 2},
+      {{demo, "-o", frames, "--end", "100"}, 2},
+      {{demo, "-o", folder.file("{frame}.png"), "--fps", "50"}, 2},
+      {{demo, "-o", frames, "--zoom", "far"}, 2},
       {{folder.file("bad.fap"), "-o", frames}, 1},
       {{folder.file("none.fap"), "-o", frames}, 1},
   };
@@ -333,27 +256,116 @@ TEST(AnimateCommand, WrongValuesAndFilesAreRefused) {
   EXPECT_EQ(entriesIn(folder.file("")), 1);
 }
 
-/// Runs the program in the background and interrupts it once it has begun to write.
-TEST(AnimateCommand, AnInterruptionLeavesFinishedFilesOnly) {
+TEST(AnimateCommand, TablesExpressionsVisemesAndValuesReachEveryFrame) {
   const TemporaryFolder folder;
-  const std::string frames = folder.file("frames");
-  std::vector<std::string> words = {MIEN_PROGRAM, "animate", demo, "-o", frames, "--size", "64x64"};
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  pid_t child = 0;
-  ASSERT_EQ(posix_spawn(&child, argv[0], nullptr, nullptr, argv.data(), environ), 0);
-  for (int i = 0; i < 3000 && !std::filesystem::exists(frames + "/" + frameName(2)); ++i) usleep(10000);
-  kill(child, SIGINT);
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  EXPECT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 130);
-  const long count = entriesIn(frames);
-  EXPECT_GE(count, 3);
-  EXPECT_LT(count, 301);
-  for (int i = 0; i < count; ++i)
-    ASSERT_EQ(readPicture(frames + "/" + frameName(i))->GetDimensions()[0], 64) << "hidden or unfinished files stayed";
+  const auto play = [&](const std::string& name, const std::vector<std::string>& options) {
+    std::vector<std::string> all = {demo, "--frames", "40,60", "-o", folder.file(name + ".pvd")};
+    all.insert(all.end(), options.begin(), options.end());
+    EXPECT_EQ(animate(all).exitCode, 0) << name;
+    return readTextFile(folder.file(name + "/" + name + "_0000.vts")) +
+           readTextFile(folder.file(name + "/" + name + "_0001.vts"));
+  };
+  std::string table = readTextFile(MIEN_DATA_DIR "/animation/animation_table.json");
+  writeTextFile(folder.file("same.json"), table);
+  auto changed = nlohmann::json::parse(table);
+  auto& faps = changed["faps"];
+  for (size_t i = faps.size(); i-- > 0;)
+    if (faps[i]["fap"] == 3) faps.erase(i);  // one that a table may lack
+  writeTextFile(folder.file("changed.json"), changed.dump());
+  const std::string plain = play("plain", {});
+  EXPECT_TRUE(play("plain", {"--fat", folder.file("same.json")}) == plain);
+  const std::vector<std::string> jaw = {"--set", "open_jaw=300"};
+  EXPECT_TRUE(play("plain", {"--set", "open_jaw=300", "--fat", folder.file("changed.json")}) != play("plain", jaw));
+  EXPECT_TRUE(play("plain", {"--fat", folder.file("changed.json")}) == plain) << "the demonstration has no jaw";
+  for (const std::vector<std::string>& options :
+       {jaw, {"--expression", "joy:0.5"}, {"--viseme", "U"}, {"--fdt", "joy"}})
+    EXPECT_TRUE(play("plain", options) != plain) << options[1];
+}
+
+TEST(AnimateCommand, AStreamWritesTheSurfacesThatItsFileWrites) {
+  const TemporaryFolder folder;
+  const std::vector<std::string> bent = {"--fdt", "joy", "--resolution", "29x20"};
+  std::vector<std::string> file = {"animate", demo, "--frames", "0:2", "-o", folder.file("file.pvd")};
+  std::vector<std::string> stream = {"animate", "-", "-o", folder.file("stream.pvd")};
+  file.insert(file.end(), bent.begin(), bent.end());
+  stream.insert(stream.end(), bent.begin(), bent.end());
+  ASSERT_EQ(runMien(file).exitCode, 0);
+  Piped mien(stream);
+  mien.send(demoLines(1, 8));
+  ASSERT_EQ(mien.end(), 0);
+  for (const char* const name : {"_0000.vts", "_0002.vts"})
+    EXPECT_EQ(readTextFile(folder.file(std::string("stream/stream") + name)),
+              readTextFile(folder.file(std::string("file/file") + name)));
+}
+
+TEST(AnimateCommand, AShorterSeriesLeavesNoSurfaceOfALongerOneAndNothingElseGoes) {
+  const TemporaryFolder folder;
+  const std::string film = folder.file("film.pvd");
+  ASSERT_EQ(animate({demo, "--frames", "0:5", "-o", film}).exitCode, 0);
+  ASSERT_EQ(animate({demo, "--frames", "0:5", "--series", "vtp", "-o", folder.file("b.pvd")}).exitCode, 0);
+  for (const char* const name : {"film/film_4.vts", "film/film_0005.vts.txt", "film/other_0005.vts"})
+    writeTextFile(folder.file(name), "mine");
+  writeTextFile(folder.file("film/film_0001.vtp"), "of an earlier run as polygons");
+  ASSERT_EQ(animate({demo, "--frames", "0:1", "-o", film}).exitCode, 0);
+  EXPECT_EQ(entriesIn(folder.file("film")), 2 + 3);
+}
+
+TEST(AnimateCommand, FilesAreNamedByTheNumbersOfTheirFramesOnRequest) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(animate({demo, "--frames", "9,5:6", "-o", folder.file("face-{frame}.vts")}).exitCode, 0);
+  ASSERT_EQ(animate({demo, "--frames", "7", "-o", folder.file("face-{frame}.png")}).exitCode, 0);
+  for (const char* const name : {"face-5.vts", "face-6.vts", "face-9.vts", "face-7.png"})
+    EXPECT_TRUE(std::filesystem::exists(folder.file(name))) << name;
+  EXPECT_EQ(entriesIn(folder.file("")), 4);
+}
+
+TEST(AnimateCommand, RepetitionsGoOnInTheTimeOfTheSurfacesToo) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(animate({demo, "--frames", "0:1", "--loop", "2", "-o", folder.file("a.pvd")}).exitCode, 0);
+  const std::vector<double> times = timesIn(folder.file("a.pvd"));
+  ASSERT_EQ(times.size(), 4u);
+  for (int i = 0; i < 4; ++i) {
+    vtkNew<vtkXMLStructuredGridReader> reader;
+    reader->SetFileName(folder.file("a/a_000" + std::to_string(i) + ".vts").c_str());
+    reader->Update();
+    vtkDataArray* time = reader->GetOutput()->GetFieldData()->GetArray("TimeValue");
+    ASSERT_NE(time, nullptr);
+    EXPECT_NEAR(time->GetTuple1(0), times[i], 1e-9);
+    EXPECT_NEAR(times[i], 0.04 * i, 1e-9);
+  }
+}
+
+TEST(AnimateCommand, MessagesNameTheOptionThatWasGiven) {
+  const TemporaryFolder folder;
+  for (const char* const option : {"--range", "--frames"}) {
+    const Outcome outcome = animate({demo, option, "900:", "-o", folder.file("a.pvd")});
+    EXPECT_EQ(outcome.errors.rfind("mien: " + std::string(option) + " '900:' holds no frame", 0), 0u) << outcome.errors;
+  }
+}
+
+TEST(AnimateCommand, ContactIsToldOnce) {
+  const TemporaryFolder folder;
+  const Outcome pressed = animate({demo, "--frames", "0:3", "--set", "51=300,52=300", "-o", folder.file("a.pvd")});
+  EXPECT_EQ(pressed.exitCode, 0);
+  EXPECT_NE(pressed.errors.find("pressed together in 4 of 4 frames"), std::string::npos) << pressed.errors;
+  const Outcome open = animate({demo, "--frames", "0:0", "-o", folder.file("a.pvd")});
+  EXPECT_EQ(open.errors, "");
+  EXPECT_NE(open.output.find("1 surface in "), std::string::npos) << open.output;
+}
+
+TEST(AnimateCommand, MixedFramesMoveInPicturesToo) {
+  const TemporaryFolder folder;
+  const std::string frames = folder.file("f/");
+  ASSERT_EQ(animate({demo, "--start", "1", "--end", "1.04", "--fps", "100", "-o", frames, "--set", "3=400"}).exitCode,
+            0);
+  ASSERT_EQ(entriesIn(frames), 5);
+}
+
+TEST(AnimateCommand, AColonInTheNameOfAFilmIsNoProtocol) {
+  const TemporaryFolder folder;
+  const FfmpegStandIn ffmpeg(folder, "echo \"$@\" > \"${last#file:}\"\ncat > /dev/null\n");
+  ASSERT_EQ(animate({demo, "--frames", "0:1", "-o", folder.file("a:b.mp4")}).exitCode, 0);
+  EXPECT_NE(readTextFile(folder.file("a:b.mp4")).find(" file:"), std::string::npos);
 }
 
 }  // namespace

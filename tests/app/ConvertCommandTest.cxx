@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <sstream>
 
 #include "Program.h"
@@ -75,6 +76,62 @@ TEST(ConvertCommand, StandardInputAndOutputArePipes) {
   EXPECT_EQ(outcome.exitCode, 0);
   EXPECT_EQ(outcome.output.rfind("2.1 ", 0), 0u);
   EXPECT_EQ(outcome.errors, "");
+}
+
+TEST(ConvertCommand, ARateThatMakesTooManyFramesIsRefused) {
+  const TemporaryFolder folder;
+  const Outcome outcome = runMien({"convert", std::string(MIEN_DATA_DIR) + "/animation/demo.fap", "--fps", "100000",
+                                   "-o", folder.file("a.fap")});
+  EXPECT_EQ(outcome.exitCode, 2);
+  EXPECT_NE(outcome.errors.find("a million frames"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(entriesIn(folder.file("")), 0);
+}
+
+TEST(ConvertCommand, TheInputIsNeverReplaced) {
+  const TemporaryFolder folder;
+  writeTextFile(folder.file("take.csv"), table);
+  std::filesystem::create_symlink(folder.file("take.csv"), folder.file("link.csv"));
+  for (const std::string& output : {folder.file("take.csv"), folder.file("./take.csv"), folder.file("link.csv")}) {
+    const Outcome outcome = convert({folder.file("take.csv"), "-o", output});
+    EXPECT_EQ(outcome.exitCode, 2) << output;
+    EXPECT_NE(outcome.errors.find("which it would replace"), std::string::npos) << outcome.errors;
+  }
+  EXPECT_EQ(readTextFile(folder.file("take.csv")), table);
+  const Outcome curves = runMien({"curves", "--fap", folder.file("take.csv"), "-o", folder.file("take.csv")});
+  EXPECT_EQ(curves.exitCode, 2) << curves.errors;
+  EXPECT_EQ(readTextFile(folder.file("take.csv")), table);
+}
+
+TEST(ConvertCommand, TheTimeCodeIsKeptOrGivenOrItsLossIsSaid) {
+  const TemporaryFolder folder;
+  writeTextFile(folder.file("take.csv"), "Timecode,JawOpen\n10:59:58:13.217,0\n10:59:58:14.217,1\n");
+  const Outcome lost = convert({folder.file("take.csv"), "-o", folder.file("a.fap")});
+  EXPECT_EQ(lost.exitCode, 0);
+  EXPECT_NE(lost.errors.find("10:59:58:13.217, has no place"), std::string::npos) << lost.errors;
+  EXPECT_NE(converted(folder, "take.csv", "b.csv").find("; start=10:59:58:13.217;"), std::string::npos);
+  EXPECT_NE(converted(folder, "b.csv", "c.csv", {"--to", "arkit"}).find("\n10:59:58:13.217,"), std::string::npos);
+  EXPECT_NE(converted(folder, "a.fap", "d.csv", {"--to", "arkit", "--start", "10:00:00:30"}).find("\n10:00:00:30.000,"),
+            std::string::npos);
+  for (const char* start : {"noon", "25:00:00:00", "10:00:00;30", "10:00:00:60"})
+    EXPECT_EQ(convert({folder.file("a.fap"), "--to", "arkit", "--start", start, "-o", folder.file("e.csv")}).exitCode,
+              2)
+        << start;
+  EXPECT_EQ(convert({folder.file("a.fap"), "--start", "10:00:00:30", "-o", folder.file("e.fap")}).exitCode, 2);
+}
+
+TEST(ConvertCommand, TheMapOfOnesOwnIsToldAsAMap) {
+  const TemporaryFolder folder;
+  writeTextFile(folder.file("take.csv"), table);
+  writeTextFile(folder.file("bad.json"), "{\n\"format\": ,\n");
+  const auto fault = [&](const std::string& map) {
+    return convert({folder.file("take.csv"), "--map", folder.file(map), "-o", folder.file("a.fap")}).errors;
+  };
+  EXPECT_NE(fault("none.json").find("none.json: the facial action map cannot be read; give a JSON file"),
+            std::string::npos)
+      << fault("none.json");
+  EXPECT_NE(fault("bad.json").find("bad.json:2: facial action map: it is no valid JSON"), std::string::npos)
+      << fault("bad.json");
+  EXPECT_EQ(fault("bad.json").find("exception"), std::string::npos);
 }
 
 TEST(ConvertCommand, WrongFilesAndValuesAreRefused) {

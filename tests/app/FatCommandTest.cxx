@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "DataFile.h"
 #include "Program.h"
@@ -18,6 +20,20 @@ std::string replaced(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
+/// Every number of a table below its header.
+std::vector<double> numbersIn(const std::string& file) {
+  std::istringstream lines(readTextFile(file));
+  std::vector<double> numbers;
+  std::string line;
+  for (std::getline(lines, line); std::getline(lines, line);) {
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');)
+      if (!cell.empty() && cell.find_first_not_of("-+.e0123456789") == std::string::npos)
+        numbers.push_back(std::stod(cell));
+  }
+  return numbers;
+}
+
 Outcome checkText(const std::string& text) {
   TemporaryFolder folder;
   writeTextFile(folder.file("table.json"), text);
@@ -31,7 +47,7 @@ TEST(FatCommand, TellsWhatTheDefaultTableHolds) {
       runMien({"fat", "check", std::string(MIEN_DATA_DIR) + "/animation/animation_table.json", "--json"});
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   const auto table = nlohmann::json::parse(outcome.output);
-  EXPECT_EQ(table["version"], 2);
+  EXPECT_EQ(table["version"], 3);
   EXPECT_EQ(table["faps"].size(), 46u);
   EXPECT_TRUE(table["faps_missing"].empty());
   EXPECT_TRUE(table["left_out"].empty());
@@ -74,4 +90,43 @@ TEST(FatCommand, ATableOfOnesOwnMovesTheFace) {
   const Outcome own =
       runMien({"curves", "--fat", folder.file("table.json"), "--set", "14=100", "-o", folder.file("a.vtp")});
   EXPECT_EQ(own.exitCode, 0) << own.errors;
+  ASSERT_EQ(runMien({"curves", "--set", "14=100", "-o", folder.file("default.csv")}).exitCode, 0);
+  ASSERT_EQ(
+      runMien({"curves", "--fat", folder.file("table.json"), "--set", "14=100", "-o", folder.file("own.csv")}).exitCode,
+      0);
+  ASSERT_EQ(runMien({"curves", "-o", folder.file("neutral.csv")}).exitCode, 0);
+  // The same way, twice as far: FAP 14 thrusts the jaw forward, 1 per FAP value by default.
+  const std::vector<double> neutral = numbersIn(folder.file("neutral.csv")),
+                            once = numbersIn(folder.file("default.csv")), twice = numbersIn(folder.file("own.csv"));
+  ASSERT_EQ(once.size(), neutral.size());
+  ASSERT_EQ(twice.size(), neutral.size());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < neutral.size(); ++i) {
+    EXPECT_NEAR(twice[i] - neutral[i], 2.0 * (once[i] - neutral[i]), 1e-5) << i;
+    largest = std::max(largest, std::abs(once[i] - neutral[i]));
+  }
+  EXPECT_GT(largest, 1.0);
+}
+
+TEST(FatCommand, ATableThatMovesNothingIsRefused) {
+  const Outcome empty = checkText("{\"format\": \"mien animation table\", \"version\": 2, \"faps\": []}");
+  EXPECT_EQ(empty.exitCode, 1);
+  EXPECT_NE(empty.errors.find("\"faps\" is empty"), std::string::npos) << empty.errors;
+}
+
+TEST(FatCommand, ATableBeyondAllMeasureIsRefused) {
+  std::string borders = "-1000, 0, 1";
+  for (int i = 2; i < 80; ++i) borders += ", " + std::to_string(i);
+  const Outcome many = checkText(replaced("\"borders\": [-1000, 0, 1000]", "\"borders\": [" + borders + "]"));
+  EXPECT_EQ(many.exitCode, 1);
+  EXPECT_NE(many.errors.find("there are 81 borders; at most 64 are read"), std::string::npos) << many.errors;
+  const std::string part = "{\"curves\": [\"C28\"], \"profile\": {\"shape\": \"linear\", \"knots\": []}}";
+  std::string parts = part;
+  for (int i = 1; i < 65; ++i) parts += "," + part;
+  const Outcome crowded = checkText(
+      "{\"format\": \"mien animation table\", \"version\": 2, \"faps\": [{\"fap\": 3, \"borders\": [0, 1], \"parts\": "
+      "[" +
+      parts + "]}]}");
+  EXPECT_EQ(crowded.exitCode, 1);
+  EXPECT_NE(crowded.errors.find("FAP 3: it has 65 parts; at most 64 are read"), std::string::npos) << crowded.errors;
 }

@@ -81,6 +81,28 @@ TEST(InfoCommand, TellsAnAnimation) {
   EXPECT_NE(fap["warnings"][0].get<std::string>().find("small.fap:2: "), std::string::npos) << fap["warnings"];
 }
 
+TEST(InfoCommand, OnlyFAPsWithValuesAreWithoutSurface) {
+  const TemporaryFolder folder;
+  std::string mask;
+  for (int fap = 1; fap <= 68; ++fap) mask += fap == 23 || fap == 53 ? "1 " : "0 ";
+  writeTextFile(folder.file("still.fap"), "2.1 still 25 1\n" + mask + "\n0 0 100\n");
+  const json fap = infoOf({folder.file("still.fap")})["fap"];
+  EXPECT_EQ(fap["faps_used"], json({23, 53}));
+  EXPECT_EQ(fap["faps_without_surface"], json::array());
+}
+
+TEST(InfoCommand, TellsHowOftenLipsArePressedTogether) {
+  const TemporaryFolder folder;
+  std::string mask;
+  for (int fap = 1; fap <= 68; ++fap) mask += fap == 51 || fap == 52 ? "1 " : "0 ";
+  writeTextFile(folder.file("lips.fap"),
+                "2.1 lips 25 3\n" + mask + "\n0 0 0\n" + mask + "\n1 200 200\n" + mask + "\n2 -200 -200\n");
+  const json contact = infoOf({folder.file("lips.fap")})["fap"]["contact"];
+  EXPECT_EQ(contact["frames"], 1);
+  EXPECT_GT(contact["largest_mm"], 1.0);
+  EXPECT_LT(contact["largest_mm"], 20.0);
+}
+
 TEST(InfoCommand, TextSaysTheSame) {
   const Outcome outcome = runMien({"info"});
   EXPECT_EQ(outcome.exitCode, 0);

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "FaceStateText.h"
 #include "PictureFile.h"
 #include "Program.h"
@@ -37,6 +40,35 @@ TEST(RenderCommand, TheFaceKeepsClearOfTheBorderFromEverySide) {
       }
     EXPECT_GT(shareUnlikeCorner(picture), 0.2) << view;
   }
+}
+
+/// How many pixels there are from the left, the right, the bottom and the top of a picture to what is drawn.
+std::array<int, 4> margins(vtkImageData* picture) {
+  const int* size = picture->GetDimensions();
+  std::array<int, 4> margin = {size[0], size[0], size[1], size[1]};
+  for (int y = 0; y < size[1]; ++y)
+    for (int x = 0; x < size[0]; ++x)
+      if (picture->GetScalarComponentAsDouble(x, y, 0, 2) < 250.0)
+        margin = {std::min(margin[0], x), std::min(margin[1], size[0] - 1 - x), std::min(margin[2], y),
+                  std::min(margin[3], size[1] - 1 - y)};
+  return margin;
+}
+
+TEST(RenderCommand, PicturesOfOneFaceHaveOneScaleUnlessItLeavesThem) {
+  const TemporaryFolder folder;
+  const auto drawn = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> all = {"render", "--size", "120x200", "-o", folder.file("a.png")};
+    all.insert(all.end(), options.begin(), options.end());
+    EXPECT_EQ(runMien(all).exitCode, 0);
+    return margins(readPicture(folder.file("a.png")));
+  };
+  const auto neutral = drawn({}), open = drawn({"--set", "open_jaw=400"});
+  for (const int side : {0, 1, 3}) EXPECT_NEAR(open[side], neutral[side], 1) << side;
+  EXPECT_LT(open[2], neutral[2] - 3) << "the chin goes down, nothing else moves";
+  const auto lying = drawn({"--set", "head_roll=157000"}),
+             fitted = drawn({"--set", "head_roll=157000", "--zoom", "fit"});
+  for (const int side : {0, 1, 2, 3}) EXPECT_GT(lying[side], 0) << "a head that leaves the picture is drawn smaller";
+  EXPECT_GT(lying[0] + lying[1], fitted[0] + fitted[1]);
 }
 
 TEST(RenderCommand, TransparentPicturesHaveNoBackground) {

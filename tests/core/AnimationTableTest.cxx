@@ -34,6 +34,7 @@ TEST(AnimationTable, ReadsWhatIsWritten) {
   ASSERT_EQ(entry->parts.size(), 1u);
   const AnimationPart& part = entry->parts[0];
   EXPECT_EQ(part.curves, std::vector<int>{FaceLayout::upperLip});
+  EXPECT_EQ(part.follow, FollowerShape::Linear);
   EXPECT_EQ(part.slopes[2], Eigen::Vector3d(1.5, 0, 4));
   EXPECT_EQ(part.profile.knots[1].feature, "8.3");
   EXPECT_NEAR(part.profile.knots[1].offset, 2.5 * M_PI / 180.0, 1e-15);
@@ -46,7 +47,7 @@ TEST(AnimationTable, RefusesFaultsAndNamesTheEntry) {
     EXPECT_NE(fault.find(part), std::string::npos) << fault;
   };
   expectFault(faultWith("{\"format\"", "{format"), "no valid JSON");
-  expectFault(faultWith("\"version\": 1", "\"version\": 3"), "version");
+  expectFault(faultWith("\"version\": 1", "\"version\": 4"), "version");
   expectFault(faultWith("mien animation table", "something"), "format");
   expectFault(faultWith("[\"C22\"]", "[\"C40\"]"), "FAP 6: curve \"C40\" is unknown");
   expectFault(faultWith("[-1000, 0, 500, 1000]", "[-1000, 0, 1000, 500]"), "FAP 6: borders must ascend");
@@ -60,6 +61,8 @@ TEST(AnimationTable, RefusesFaultsAndNamesTheEntry) {
   expectFault(faultWith("\"fap\": 6", "\"fap\": 2"), "entry 1: fap must be a whole number from 3 to 68");
   expectFault(faultWith("\"fap\": 6", "\"fap\": 48"), "FAP 48: it turns by an angle");
   expectFault(faultWith("\"above\": \"C20\"", "\"above\": \"C23\""), "FAP 6: \"above\"");
+  expectFault(faultWith("\"above\": \"C20\"", "\"above\": \"C20\", \"follow\": \"wavy\""),
+              "FAP 6: \"follow\" is \"wavy\"");
   expectFault(faultWith("\"above\"", "\"abvoe\""), "FAP 6: the key \"abvoe\" is unknown");
   expectFault(faultWith("\"fap\": 6,", "\"fap\": 6, \"beyond\": [53],"),
               "FAP 6: the entry of FAP 53 must stand before");

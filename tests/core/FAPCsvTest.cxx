@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "AnimationText.h"
 #include "FAPCsvParser.h"
 #include "FAPCsvWriter.h"
@@ -57,6 +59,48 @@ TEST(FAPCsv, WhatIsLeftOutOrAssumedIsSaid) {
   EXPECT_NE(sequence.warnings[0].message.find("'note', 'FAP99'"), std::string::npos) << sequence.warnings[0].message;
   EXPECT_NE(sequence.warnings[1].message.find("25 frames per second are assumed"), std::string::npos);
   EXPECT_TRUE(sequence.rateIsAssumed);
+}
+
+TEST(FAPCsv, ATimeBesideATimeOrAnAbsurdValueIsRefused) {
+  for (const auto& [text, line, words] :
+       {std::tuple{"time,Time,FAP3\n0,0,1\n", 1, "column 2 ('Time') says again what column 1 ('time') says"},
+        {"FAP3,fap 3\n0,0\n", 1, "column 1 ('FAP3')"},
+        {"frame,FAP3\n0,1\n1,-1e30\n", 3, "column 2 ('FAP3') is '-1e30'; FAP values lie within +-1e6"},
+        {"# mien fap csv 1; start=noon\nFAP3\n0\n", 2, "the start is 'noon'"}}) {
+    FAPSequence sequence;
+    const auto error = parseFAPCsv(text, sequence);
+    ASSERT_TRUE(error.has_value()) << text;
+    EXPECT_EQ(error->line, line) << text;
+    EXPECT_NE(error->message.find(words), std::string::npos) << error->message;
+  }
+}
+
+TEST(FAPCsv, OneTimedRowTellsNoRate) {
+  const FAPSequence sequence = parsed("time,FAP3\n2.5,1\n");
+  ASSERT_EQ(sequence.warnings.size(), 1u);
+  EXPECT_NE(sequence.warnings[0].message.find("a single time tells no rate"), std::string::npos);
+  EXPECT_EQ(parsed("frame\n1\n2\n").frames.size(), 2u) << "neutral frames need no column of a FAP";
+}
+
+TEST(AnimationText, WhatIsNoTableIsToldAsSuch) {
+  const FacialActionMap map = bundledFacialActions();
+  const auto fault = [&](const char* text) {
+    FAPSequence sequence;
+    const auto error = parseAnimation(text, std::nullopt, map, sequence);
+    return error ? error->message : "";
+  };
+  EXPECT_NE(fault("").find("the file is empty"), std::string::npos) << fault("");
+  EXPECT_NE(fault("\n \n").find("the file is empty"), std::string::npos);
+  EXPECT_NE(fault("0,0.1,0.2\n1,0.1,0.3\n").find("the table has no header"), std::string::npos);
+  EXPECT_EQ(
+      fault("2.1 a,b 25 1\n"
+            "0 0 1 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 "
+            "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0\n0 5\n"),
+      "");
+  FAPSequence mixed;
+  ASSERT_FALSE(parseAnimation("FAP3,FAP4,AU12\n1,2,0.5\n", std::nullopt, map, mixed).has_value());
+  EXPECT_NE(mixed.warnings.front().message.find("mixes kinds"), std::string::npos);
+  EXPECT_NE(mixed.warnings.front().message.find("1 column of FACS action units"), std::string::npos);
 }
 
 TEST(AnimationText, EveryFormatIsRecognisedByItsFirstLines) {

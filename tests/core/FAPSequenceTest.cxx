@@ -79,4 +79,9 @@ TEST(FAPSequence, UsedFAPsComeFromTheMasksAndTheValues) {
   sequence.masks.resize(2);
   sequence.masks[0].set(18);
   EXPECT_EQ(sequence.fapsUsed(), (std::vector<int>{1, 19, 53}));
+  for (const int fap : sequence.fapsMoved()) {
+    bool moved = fap < FAPFrame::firstLowLevel;
+    for (const FAPFrame& frame : sequence.frames) moved = moved || frame.value(fap) != 0.0;
+    EXPECT_TRUE(moved) << fap;
+  }
 }

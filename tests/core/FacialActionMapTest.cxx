@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "CaptureParser.h"
 #include "FAPTable.h"
@@ -133,6 +134,57 @@ TEST(FacialActionMap, ActionUnitsMoveEveryFAPOfTheReferenceInItsDirection) {
   EXPECT_GE(checked, 340u);
 }
 
+/// Rows derived from the Candide-3 model: they decide nothing where libraries say otherwise, and these are all places
+/// where the libraries do.
+TEST(FacialActionMap, DerivedRowsGiveTheDirectionButWhereLibrariesContradictThem) {
+  MIEN_REQUIRE_REFERENCE("mpeg4/facs_map.csv");
+  const std::map<std::string, std::vector<std::string>> units = {
+      {"AU13/15", {"AU15"}}, {"AU23/24", {"AU23", "AU24"}}, {"AU26/27", {"AU27"}}, {"AU42-45", {"AU43"}}};
+  const std::set<std::pair<std::string, int>> contradicted = {{"AU15", 8},  {"AU15", 9},  {"AU15", 10}, {"AU15", 11},
+                                                              {"AU15", 57}, {"AU15", 58}, {"AU27", 16}, {"AU27", 18}};
+  const auto rows = referenceRows("AU_to_FAP_derived");
+  EXPECT_EQ(rows.size(), 102u);
+  for (const auto& cells : rows) {
+    const auto known = units.find(cells[2]);
+    for (const std::string& unit : known == units.end() ? std::vector<std::string>{cells[2]} : known->second) {
+      const int fap = std::stoi(cells[4]);
+      // The model pushes the jaw to the left, AU30 to the right.
+      const int turned = unit == "AU30" ? -1 : contradicted.count({unit, fap}) ? -1 : 1;
+      EXPECT_EQ(signOf(imported(unit, CaptureKind::ActionUnits).value(fap)), turned * signOf(std::stod(cells[13])))
+          << unit << " FAP " << fap;
+    }
+  }
+}
+
+TEST(FacialActionMap, JawAndLipsGoToOneSide) {
+  // FAP 15 is positive to the right, FAPs 6 and 53 outward on the left, 7 and 54 outward on the right.
+  for (const auto& [name, kind, side] : {std::tuple{"AU30", CaptureKind::ActionUnits, 1},
+                                         {"jawRight", CaptureKind::Blendshapes, 1},
+                                         {"jawLeft", CaptureKind::Blendshapes, -1},
+                                         {"mouthRight", CaptureKind::Blendshapes, 1},
+                                         {"mouthLeft", CaptureKind::Blendshapes, -1}}) {
+    const FAPFrame frame = imported(name, kind);
+    int moved = 0;
+    for (const auto& [fap, sign] : {std::pair{15, 1}, {6, -1}, {7, 1}, {53, -1}, {54, 1}, {39, -1}, {40, 1}}) {
+      EXPECT_NE(signOf(frame.value(fap)), -sign * side) << name << " FAP " << fap;
+      moved += frame.value(fap) != 0.0;
+    }
+    EXPECT_GT(moved, 0) << name;
+  }
+  EXPECT_EQ(imported("AU30", CaptureKind::ActionUnits).value(53), -62.0);
+}
+
+TEST(FacialActionMap, AnOpenedLipGoesFurthestInItsMiddle) {
+  for (const auto& [name, kind] :
+       {std::pair{"AU27", CaptureKind::ActionUnits}, {"jawOpen", CaptureKind::Blendshapes}}) {
+    const FAPFrame frame = imported(name, kind);
+    for (const auto& [side, middle] : {std::pair{10, 5}, {11, 5}, {57, 52}, {58, 52}}) {
+      EXPECT_LT(frame.value(side), 0.0) << name << " FAP " << side;
+      EXPECT_GE(frame.value(side), frame.value(middle)) << name << " FAP " << side;
+    }
+  }
+}
+
 TEST(FacialActionMap, FaultsAreToldAndLeaveTheMap) {
   FacialActionMap map = bundledFacialActions();
   const std::string head = "{\"format\": \"mien facial action map\", \"version\": 1, \"action_units\": [";
@@ -143,5 +195,12 @@ TEST(FacialActionMap, FaultsAreToldAndLeaveTheMap) {
   EXPECT_NE(map.parse(head + "{\"name\": \"AU1\", \"faps\": {\"3\": 1e9}}" + tail).find("FAP 3"), std::string::npos);
   const std::string twice = "{\"name\": \"AU1\", \"faps\": {}}, {\"name\": \"AU1\", \"faps\": {}}";
   EXPECT_NE(map.parse(head + twice + tail).find("twice"), std::string::npos);
+  EXPECT_NE(map.parse(head + "{\"name\": \"AU1\", \"fap\": {}}" + tail).find("AU1: the key \"fap\" is unknown"),
+            std::string::npos);
+  EXPECT_EQ(map.faultLine, 0);
+  const std::string broken = map.parse("{\"format\":\n\"mien facial action map\",,");
+  EXPECT_EQ(broken.find("exception"), std::string::npos) << broken;
+  EXPECT_NE(broken.find("no valid JSON"), std::string::npos) << broken;
+  EXPECT_EQ(map.faultLine, 2);
   EXPECT_EQ(map.blendshapes.size(), 52u);
 }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "FrameTimes.h"
 #include "TimeCode.h"
@@ -53,6 +54,47 @@ TEST(FrameTimes, GapsAreFilledInTime) {
   EXPECT_EQ(sequence.warnings[0].line, 5);
 }
 
+/// Steps that jitter by up to 0.35 of a frame, some frames dropped, must give the rate of the recording and a frame for
+/// each that was recorded or dropped.
+TEST(FrameTimes, JitterAndDroppedRowsLeaveTheRate) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> jitter(-0.35, 0.35);
+  for (const double rate : {24000.0 / 1001.0, 25.0, 30000.0 / 1001.0, 30.0, 50.0, 60000.0 / 1001.0, 60.0, 120.0})
+    for (const int dropped : {0, 3}) {
+      std::vector<double> seconds;
+      for (int i = 0; i < 1200; ++i)
+        if (dropped == 0 || i % 301 != 300) seconds.push_back(5.0 + (i + jitter(random)) / rate);
+      const FrameTimes times = at(seconds);
+      FAPSequence sequence = linearFrames(times);
+      ASSERT_FALSE(times.place(sequence).has_value());
+      EXPECT_DOUBLE_EQ(sequence.framesPerSecond, rate);
+      EXPECT_EQ(sequence.frames.size(), 1200u) << rate;
+      EXPECT_EQ(sequence.warnings.size(), dropped ? 1u : 0u) << rate;
+    }
+}
+
+TEST(FrameTimes, RatesThatAreNotUsualStay) {
+  for (const double rate : {12.5, 7.25, 61.3, 0.5}) {
+    std::vector<double> seconds;
+    for (int i = 0; i < 400; ++i) seconds.push_back(i / rate);
+    const FrameTimes times = at(seconds);
+    FAPSequence sequence = linearFrames(times);
+    ASSERT_FALSE(times.place(sequence).has_value());
+    EXPECT_NEAR(sequence.framesPerSecond, rate, 1e-9);
+    EXPECT_EQ(sequence.frames.size(), 400u);
+  }
+}
+
+/// Ten minutes of a camera at 59.97: taken as 60 it would end 18 frames late.
+TEST(FrameTimes, AUsualRateIsNotTakenWhereItWouldDrift) {
+  std::vector<double> seconds;
+  for (int i = 0; i < 36000; ++i) seconds.push_back(std::round(1e6 * i / 59.97) / 1e6);
+  const FrameTimes times = at(seconds);
+  FAPSequence sequence = linearFrames(times);
+  ASSERT_FALSE(times.place(sequence).has_value());
+  EXPECT_DOUBLE_EQ(sequence.framesPerSecond, 59.97);
+}
+
 TEST(FrameTimes, TimeThatGoesBackOrJumpsFarIsRefused) {
   for (const auto& [seconds, line] : {std::pair{std::vector<double>{0.0, 0.1, 0.05}, 4}, {{0.0, 0.1, 0.2, 1e9}, 5}}) {
     const FrameTimes times = at(seconds);
@@ -67,10 +109,17 @@ TEST(FrameTimes, TimeThatGoesBackOrJumpsFarIsRefused) {
 TEST(FrameTimes, AnotherRateKeepsTheMotion) {
   FAPSequence sequence = linearFrames(at({0.0, 0.1, 0.2, 0.3}));
   sequence.framesPerSecond = 10.0;
-  const FAPSequence fine = resampled(sequence, 40.0);
+  const FAPSequence fine = resampled(sequence, 40.0).value();
   ASSERT_EQ(fine.frames.size(), 13u);
   for (int i = 0; i < 13; ++i) EXPECT_NEAR(fine.frames[i].value(3), 100.0 * i / 40.0, 1e-9);
   EXPECT_DOUBLE_EQ(fine.duration(), sequence.duration());
+}
+
+TEST(FrameTimes, MoreThanAMillionFramesAreNotMadeAndNotCut) {
+  FAPSequence sequence = linearFrames(at({0.0, 0.1, 0.2, 0.3}));
+  sequence.framesPerSecond = 0.01;  // 300 s
+  EXPECT_EQ(resampled(sequence, 3333.0)->frames.size(), 999901u);
+  EXPECT_FALSE(resampled(sequence, 3334.0).has_value());
 }
 
 TEST(TimeCode, ReadsWhatCamerasWrite) {

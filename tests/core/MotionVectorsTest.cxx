@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "ColorTable.h"
+#include "LandmarkLines.h"
+#include "MotionTableText.h"
 #include "PicturePlane.h"
 #include "SurfaceContour.h"
 #include "SurfaceOcclusion.h"
@@ -179,13 +181,35 @@ TEST(VectorScale, NumbersAreRound) {
   EXPECT_EQ(mien::roundBelow(0.019), 0.01);
   EXPECT_EQ(mien::automaticScale(8.0, 10.0), 0.8);
   EXPECT_EQ(mien::automaticScale(0.0, 10.0), 1.0);
-  EXPECT_EQ(mien::automaticRangeEnd(8.68), 9.0);
+  EXPECT_EQ(mien::automaticRangeEnd(7.68), 8.0);
+  EXPECT_EQ(mien::automaticRangeEnd(8.68), 10.0);
   EXPECT_EQ(mien::automaticRangeEnd(0.0), 1.0);
   for (double longest = 1e-5; longest < 1e5; longest *= 1.37) {
     const double scale = mien::automaticScale(longest, 7.0);
     EXPECT_LE(longest / scale, 7.0 * (1.0 + 1e-8));
     EXPECT_GT(longest / scale, 7.0 / 1.5);
   }
+}
+
+TEST(VectorScale, TicksOfABarStandAtItsEndsAndDivideItEvenly) {
+  using Ticks = std::vector<double>;
+  EXPECT_EQ(mien::rangeTicks(0.0, 8.0, 5), (Ticks{0.0, 2.0, 4.0, 6.0, 8.0}));
+  EXPECT_EQ(mien::rangeTicks(0.0, 6.0, 2), (Ticks{0.0, 3.0, 6.0}));
+  EXPECT_EQ(mien::rangeTicks(-3.0, 3.0, 6), (Ticks{-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0}));
+  EXPECT_EQ(mien::rangeTicks(0.0, 7.3, 4), (Ticks{0.0, 2.0, 4.0, 6.0, 7.3}));
+  for (double largest = 1e-4; largest < 1e4; largest *= 1.37)
+    for (const bool both : {false, true})
+      for (const int most : {2, 3, 6, 11}) {
+        const double end = mien::automaticRangeEnd(largest);
+        const Ticks ticks = mien::rangeTicks(both ? -end : 0.0, end, most);
+        ASSERT_GE(ticks.size(), 2u);
+        EXPECT_LE(ticks.size(), most + 1u);
+        EXPECT_NEAR(ticks.front(), both ? -end : 0.0, 1e-9 * end);
+        EXPECT_NEAR(ticks.back(), end, 1e-9 * end);
+        EXPECT_NE(std::count_if(ticks.begin(), ticks.end(), [&](double t) { return std::abs(t) < 1e-9 * end; }), 0);
+        for (size_t i = 1; i < ticks.size(); ++i)
+          EXPECT_NEAR(ticks[i] - ticks[i - 1], ticks[1] - ticks[0], 1e-9 * end) << end << " " << most;
+      }
 }
 
 TEST(VectorRegion, ReadsPatchesNamesAndRectangles) {
@@ -254,14 +278,51 @@ TEST(VectorPicture, AnEmptyFieldIsNoFault) {
   EXPECT_TRUE(mien::drawnVectors(mien::MotionField(), {}).arrows.empty());
 }
 
+TEST(VectorPicture, AutomaticSamplingSuitsThePrintedSize) {
+  const mien::MotionField field = sphereField({0.0, 1.0, 0.0});
+  mien::VectorPictureOptions options;
+  options.sampling.parse("auto");
+  for (const double width : {40.0, 80.0, 160.0}) {
+    options.paper = {width, width};
+    const mien::VectorPicture picture = mien::drawnVectors(field, options);
+    EXPECT_EQ(picture.sampling.kind, VectorSampling::Kind::Even);
+    const double printed = picture.sampling.spacing * width / picture.frame.sizes().x();
+    EXPECT_GE(printed, mien::printedSpacing * (1.0 - 1e-9)) << width;
+    EXPECT_LT(printed, 1.5 * mien::printedSpacing) << width;
+  }
+}
+
+TEST(MotionTable, WritesRoundingAsZeroAndTheRestToTheBit) {
+  mien::MotionField field;
+  field.origins = mien::MotionField::Points::Constant(2, 3, 1.5);
+  field.vectors.resize(2, 3);
+  field.vectors << -1.09e-13, 0.5, 1e-10, 2e-9, 0.0, 0.0;
+  EXPECT_EQ(mien::motionTableText(field, {0, 1}),
+            "u,v,x,y,z,dx,dy,dz,magnitude_mm\n,,1.5,1.5,1.5,0,0.5,0,0.5\n,,1.5,1.5,1.5,2e-09,0,0,2e-09\n");
+  const std::vector<int> first = {0};
+  EXPECT_EQ(mien::motionTableText({{"7", &field, &first}}),
+            "frame,u,v,x,y,z,dx,dy,dz,magnitude_mm\n7,,,1.5,1.5,1.5,0,0.5,0,0.5\n");
+}
+
+TEST(LandmarkLines, LieOnTheCurvesBetweenTheFeatures) {
+  const mien::FaceCurves face = SyntheticFace::make();
+  const auto lines = mien::landmarkLines(face);
+  ASSERT_EQ(lines.size(), 5u) << "brows, nose and lips: this face has no corners of eyes";
+  const mien::FeaturePoint *inner = face.feature("4.1"), *outer = face.feature("4.5");
+  EXPECT_LT((lines[0].row(0).transpose() - face.curves.at(inner->curve, inner->v)).norm(), 1e-9);
+  EXPECT_LT((lines[0].bottomRows(1).transpose() - face.curves.at(inner->curve, outer->v)).norm(), 1e-9);
+  EXPECT_TRUE(mien::landmarkLines(mien::FaceCurves()).empty());
+}
+
 TEST(ColorTable, GetsLighterSteadily) {
-  ASSERT_EQ(mien::ColorTable::all().size(), 5u);
+  ASSERT_EQ(mien::ColorTable::all().size(), 6u);
   for (const mien::ColorTable& table : mien::ColorTable::all()) {
     double before = -1.0;
     for (double t = 0.0; t <= 1.0; t += 1.0 / 51.0) {
       const auto color = table.at(t);
       const double light = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
-      EXPECT_GT(light, before - 0.004) << table.name << " at " << t;
+      const bool darkens = table.diverging && t > 0.5;
+      EXPECT_GT(darkens ? before : light, (darkens ? light : before) - 0.004) << table.name << " at " << t;
       before = light;
     }
     EXPECT_EQ(table.at(-1.0), table.at(0.0));

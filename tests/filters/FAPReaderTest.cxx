@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "FAPFrame.h"
 #include "FAPSequence.h"
 #include "FAPText.h"
 #include "PipelineErrors.h"
@@ -135,6 +136,49 @@ TEST_F(FAPReader, AChangedFileIsReadAgainAfterModified) {
   reader->Modified();
   reader->Update();
   EXPECT_EQ(reader->GetNumberOfFrames(), 9);
+}
+
+TEST_F(FAPReader, ChoosingFramesLooksAtNoFileAndPublishesNoTimes) {
+  using SDDP = vtkStreamingDemandDrivenPipeline;
+  reader->Update();
+  EXPECT_TRUE(reader->GetOutputInformation(0)->Has(SDDP::TIME_STEPS()));
+  writeTextFile(path, rampText(9));
+  for (int index : {3, 1, 4}) {
+    reader->SetFrameIndex(index);
+    reader->Update();
+    EXPECT_EQ(value("FAP53"), 100.0 * index);
+    EXPECT_EQ(reader->GetNumberOfFrames(), 5) << "the file was looked at";
+    EXPECT_FALSE(reader->GetOutputInformation(0)->Has(SDDP::TIME_STEPS())) << "the output follows no time";
+  }
+  reader->SetFrameIndex(-1);
+  reader->Modified();
+  reader->UpdateInformation();
+  EXPECT_EQ(reader->GetOutputInformation(0)->Length(SDDP::TIME_STEPS()), 9);
+}
+
+TEST_F(FAPReader, AFileAfterAStreamIsAFile) {
+  mien::FAPFrame frame;
+  frame.setValue(53, 7.0);
+  reader->StartStream(50.0, "live");
+  reader->SetFileName("-");
+  reader->AppendFrame(frame);
+  reader->AppendFrame(frame);
+  reader->Update();
+  EXPECT_EQ(value("FAP53"), 7.0);
+  EXPECT_EQ(reader->GetNumberOfFrames(), 2);
+  EXPECT_FALSE(reader->GetOutputInformation(0)->Has(vtkStreamingDemandDrivenPipeline::TIME_STEPS()));
+  reader->ClearFrames();
+  frame.setValue(53, 8.0);
+  reader->AppendFrame(frame);
+  reader->Update();
+  EXPECT_EQ(value("FAP53"), 8.0);
+  EXPECT_EQ(reader->GetNumberOfFrames(), 1);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetNumberOfFrames(), 5);
+  reader->ClearFrames();  // only a stream's
+  EXPECT_EQ(reader->GetNumberOfFrames(), 5);
+  EXPECT_EQ(reader->GetOutputInformation(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 5);
 }
 
 TEST_F(FAPReader, ARefusedFileNamesFileAndLineAndKeepsTheOldOne) {

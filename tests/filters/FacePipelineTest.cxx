@@ -234,4 +234,32 @@ TEST(FacePipeline, TwoVisemesOfTheStateAreTheBlendOfFAPOne) {
   EXPECT_GT(largestDisplacement(chosen, mixed), 1.0);
 }
 
+TEST(FacePipeline, TheGridAloneMakesNoPolygons) {
+  FacePipeline pipeline, whole;
+  ASSERT_EQ(pipeline.update(), "");
+  const auto polygons = pipeline.surface()->GetOutputDataObject(0)->GetMTime();
+  FaceState state;
+  state.expressions["joy"] = 1.0;
+  pipeline.setState(state);
+  whole.setState(state);
+  ASSERT_EQ(pipeline.updateGrid(), "");
+  ASSERT_EQ(whole.update(), "");
+  EXPECT_EQ(pipeline.surface()->GetOutputDataObject(0)->GetMTime(), polygons);
+  for (vtkIdType i = 0; i < pipeline.grid()->GetNumberOfPoints(); ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      ASSERT_EQ(pipeline.grid()->GetPoint(i)[axis], whole.grid()->GetPoint(i)[axis]) << i;
+}
+
+TEST(FacePipeline, ATimeBeyondTheAnimationIsRefusedWithItsLength) {
+  FacePipeline pipeline;
+  const TemporaryFolder folder;
+  const std::string file = writeAnimation(folder);  // frames at 0, 0.5 and 1 s
+  for (const double time : {0.0, 1.0, 1.4}) {
+    pipeline.setState(animated(file, FaceState::FrameChoice::Time, time));
+    EXPECT_EQ(pipeline.update(), "") << time;
+  }
+  pipeline.setState(animated(file, FaceState::FrameChoice::Time, 99));
+  EXPECT_EQ(pipeline.update(), file + ": there is no frame at 99 s; the animation lasts from 0 to 1 s");
+}
+
 }  // namespace

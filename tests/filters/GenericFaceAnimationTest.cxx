@@ -5,6 +5,7 @@
 
 #include "AnimationData.h"
 #include "BoundaryCurveData.h"
+#include "EntryReach.h"
 #include "FAPAxis.h"
 #include "FAPTable.h"
 #include "FaceAnimator.h"
@@ -56,6 +57,12 @@ Eigen::VectorXd gap(const ClosedCurves& curves, int upper) {
 }
 
 }  // namespace
+
+TEST_F(GenericFaceAnimation, AFapMovesNothingOutsideItsEntry) {
+  AnimationTable table;
+  ASSERT_EQ(readAnimationTable("", table), "");
+  expectNothingMovesOutsideItsEntry(face, table);
+}
 
 TEST_F(GenericFaceAnimation, AZeroFrameGivesTheNeutralCurvesBitForBit) {
   FAPFrame frame;

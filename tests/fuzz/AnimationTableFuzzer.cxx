@@ -1,18 +1,16 @@
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 #include "AnimationTable.h"
 #include "FAPFrame.h"
+#include "FaceAnimator.h"
+#include "Require.h"
+#include "SyntheticFace.h"
 
 using namespace mien;
 
 namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 void requireUsable(const AnimationEntry& entry) {
   require(entry.fap >= FAPFrame::firstLowLevel && entry.fap <= FAPFrame::count && !entry.parts.empty());
@@ -27,6 +25,21 @@ void requireUsable(const AnimationEntry& entry) {
   }
 }
 
+/// What is accepted is bound to a face, or refused in a sentence; bound, it gives finite curves.
+void requireBindable(const AnimationTable& table) {
+  static const FaceCurves face = SyntheticFace::make(32);
+  FaceAnimator animator;
+  const std::string fault = animator.bind(face, table);
+  require(fault.find('\n') == std::string::npos);
+  if (!fault.empty()) return;
+  FAPFrame frame;
+  for (const AnimationEntry& entry : table.entries()) frame.setValue(entry.fap, 150.0);
+  bool finite = true;
+  const ClosedCurves& moved = animator.animate(frame);
+  for (Eigen::Index i = 0; i < moved.points.size(); ++i) finite = finite && !std::isnan(moved.points.data()[i]);
+  require(finite);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -39,5 +52,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const AnimationEntry& entry : table.entries()) requireUsable(entry);
   for (const ContactPair& pair : table.contacts()) require(pair.lower == pair.upper + 1);
+  requireBindable(table);
   return 0;
 }

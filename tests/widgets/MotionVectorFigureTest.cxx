@@ -197,6 +197,50 @@ TEST_F(MotionVectorFigure, MotionTowardsTheViewerIsADot) {
   EXPECT_TRUE(arrowsIn(svg).empty());
 }
 
+TEST_F(MotionVectorFigure, SignedColoursAreSymmetricAboutZero) {
+  options_.color = mien::MotionVectorOptions::Color::Towards;
+  const mien::MotionVectorFigure away({sheet([](const auto&) { return Eigen::RowVector3d(1.0, 0.0, -2.7); })},
+                                      options_);
+  EXPECT_EQ(away.rangeBegin(), -3.0);
+  EXPECT_EQ(away.rangeEnd(), 3.0);
+  const mien::MotionVectorFigure across({sheet([](const auto&) { return Eigen::RowVector3d(5.0, 0.0, 1e-9); })},
+                                        options_);
+  EXPECT_EQ(across.rangeBegin(), -0.5) << "a tenth of the motion in space";
+  EXPECT_EQ(across.rangeEnd(), 0.5);
+  for (const mien::FigureTheme& theme : mien::FigureTheme::all()) {
+    const mien::VectorColors colors("coolwarm", theme, -2.0, 2.0);
+    const QColor zero = colors.at(0.0);
+    EXPECT_LT(zero.saturationF(), 0.03) << theme.name;
+    EXPECT_GT(colors.at(-2.0).blue(), colors.at(-2.0).red() + 100);
+    EXPECT_GT(colors.at(2.0).red(), colors.at(2.0).blue() + 100);
+  }
+}
+
+TEST_F(MotionVectorFigure, EqualArrowsLeaveOutRipple) {
+  options_.length = mien::MotionVectorOptions::Length::Equal;
+  const auto ripple = [](const Eigen::RowVector3d& p) {
+    return Eigen::RowVector3d(p.x() < 50.0 ? 8.0 : 0.01, 0.0, 0.0);
+  };
+  const mien::MotionVectorFigure figure({sheet(ripple)}, options_);
+  EXPECT_EQ(figure.panels()[0].picture().arrows.size(), 210u);
+  EXPECT_EQ(figure.panels()[0].picture().still, 231);
+  EXPECT_NE(svgOf(figure).find("0.08 mm"), std::string::npos) << "the key says from where on";
+  const mien::MotionVectorFigure towards({sheet([](const auto&) { return Eigen::RowVector3d(1e-6, 0.0, 4.0); })},
+                                         options_);
+  EXPECT_TRUE(arrowsIn(svgOf(towards)).empty()) << "a direction of rounding is none";
+}
+
+TEST_F(MotionVectorFigure, AutomaticSamplingIsOneForASeries) {
+  options_.picture.sampling.parse("auto");
+  options_.note = "Sheet";
+  const std::vector<mien::MotionVectorPanel> series = {sheet(swirl), sheet(swirl), sheet(swirl)};
+  const mien::MotionVectorFigure one({sheet(swirl)}, options_), three(series, options_);
+  EXPECT_EQ(one.sampling().kind, mien::VectorSampling::Kind::Even);
+  EXPECT_GT(three.sampling().spacing, one.sampling().spacing) << "smaller panels have fewer arrows";
+  EXPECT_EQ(three.panels()[0].picture().chosen, three.panels()[2].picture().chosen);
+  EXPECT_NE(svgOf(one).find("mm apart"), std::string::npos);
+}
+
 TEST(VectorColors, StandOutFromTheBackground) {
   for (const mien::FigureTheme& theme : mien::FigureTheme::all())
     for (const mien::ColorTable& table : mien::ColorTable::all())

@@ -31,8 +31,10 @@ double FigureWords::Paragraph::paint(QPainter& painter, const FigureTheme& theme
   return y;
 }
 
-FigureWords::FigureWords(const std::string& title, const std::string& caption, const std::string& note, double width) {
-  const auto broken = [&](const QFont& font, const std::string& text) {
+FigureWords::FigureWords(const std::string& title, const std::string& caption, const std::string& note, double width,
+                         const QString& family) {
+  const auto broken = [&](QFont font, const std::string& text) {
+    if (!family.isEmpty()) font.setFamily(family);
     return Paragraph{font, textLines(font, QString::fromStdString(text), units(width - 2.0 * border))};
   };
   title_ = broken(figureFont(titleSize, true), title);

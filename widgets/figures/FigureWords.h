@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFont>
+#include <QString>
 #include <QStringList>
 #include <string>
 
@@ -15,8 +16,10 @@ class FigureWords {
  public:
   static constexpr double border = 1.5;  ///< mm, around every figure
 
-  /// @param width  of the figure, mm
-  FigureWords(const std::string& title, const std::string& caption, const std::string& note, double width);
+  /// @param width   of the figure, mm
+  /// @param family  of the font; empty: that of all figures
+  FigureWords(const std::string& title, const std::string& caption, const std::string& note, double width,
+              const QString& family = {});
 
   double titleHeight() const;  ///< figure units; 0 without a title
   double belowHeight() const;  ///< of caption and note together; 0 without both

@@ -5,26 +5,25 @@
 #include <cmath>
 #include <tuple>
 
-#include "TextLines.h"
 #include "VectorScale.h"
 
 namespace mien {
 
 namespace {
 
-constexpr double border = 1.5;          // mm
+constexpr double border = FigureWords::border;
 constexpr double leastPanel = 38.0;     // mm
 constexpr double columnGap = 3.0;       // mm
 constexpr double rowGap = 3.0;          // mm
-constexpr double titleGap = 0.8;        // mm
 constexpr double wordsGap = 2.0;        // mm, above caption and note
 constexpr double referenceRoom = 0.25;  // longest reference arrow over width of the figure
 constexpr double keyGap = 2.5;          // mm, above the key
 constexpr double arrowRoom = 0.085;     // longest arrow over width of a panel: neighbours still can be told apart
 constexpr double mostShape = 1.5;       // height over width of a panel
+constexpr double leastEqual = 0.01;     // of the longest vector: shorter ones have no arrow of equal length
+constexpr double leastTowards = 0.1;    // of the longest vector: the least range of motion towards the viewer
 constexpr double leastFace = 8.0;       // mm, of a panel that the key leaves hardly any room
-constexpr double titleSize = 8.5, captionSize = 7.0, noteSize = 6.0;  // pt
-constexpr int refinements = 5;  // size of the face and overhang of arrows depend on each other, weakly
+constexpr int refinements = 5;          // size of the face and overhang of arrows depend on each other, weakly
 
 double units(double millimetres) {
   return millimetres * figureUnitsPerMillimetre;
@@ -49,7 +48,7 @@ Eigen::AlignedBox2d usable(const Eigen::AlignedBox2d& frame) {
 
 MotionVectorFigure::MotionVectorFigure(const std::vector<MotionVectorPanel>& panels, const MotionVectorOptions& options)
     : options_(options), style_(options), inner_(units(options.width - 2.0 * border)) {
-  prepare(panels);
+  prepare(panels, static_cast<int>(panels.size()));
   for (size_t i = 0; i < all_.size(); ++i) panels_.emplace_back(all_[i], label(i, all_.size(), panels[i].heading));
   layOut();
 }
@@ -57,23 +56,28 @@ MotionVectorFigure::MotionVectorFigure(const std::vector<MotionVectorPanel>& pan
 MotionVectorFigure::MotionVectorFigure(const std::vector<MotionVectorPanel>& panels, size_t only,
                                        const MotionVectorOptions& options)
     : options_(options), style_(options), inner_(units(options.width - 2.0 * border)) {
-  prepare(panels);
+  prepare(panels, 1);
   panels_.emplace_back(all_.at(only), label(0, 1, panels.at(only).heading));
   layOut();
 }
 
-void MotionVectorFigure::prepare(const std::vector<MotionVectorPanel>& panels) {
-  title_ = textLines(style_.font(titleSize, true), QString::fromStdString(options_.title), inner_);
-  caption_ = textLines(style_.font(captionSize), QString::fromStdString(options_.caption), inner_);
-  note_ = textLines(style_.font(noteSize), QString::fromStdString(options_.note), inner_);
+void MotionVectorFigure::prepare(const std::vector<MotionVectorPanel>& panels, int shown) {
   size_.setWidth(units(options_.width));
+  const double cell = cellWidth(columnCount(shown)) / figureUnitsPerMillimetre;
+  options_.picture.paper = {cell, mostShape * cell};
   for (const MotionVectorPanel& panel : panels) addPicture(panel.field);
+  if (style_.length == MotionVectorOptions::Length::Equal) leaveOutRipple();
   frame_ = usable(frame_);
   chooseRange();
+  const std::string sampling = options_.picture.sampling.description();
+  const std::string note = options_.note.empty() ? "" : options_.note + "; " + sampling;
+  words_.emplace(options_.title, options_.caption, note, options_.width, style_.family);
 }
 
+/// All panels of a series are sampled as the first one is.
 void MotionVectorFigure::addPicture(const MotionField& field) {
   VectorPicture picture = drawnVectors(field, options_.picture);
+  options_.picture.sampling = picture.sampling;
   if (!options_.seams) picture.seams.clear();
   frame_.extend(picture.frame);
   const bool inSpace = options_.length == MotionVectorOptions::Length::InSpace;
@@ -81,7 +85,21 @@ void MotionVectorFigure::addPicture(const MotionField& field) {
   all_.push_back(std::move(picture));
 }
 
-/// Motion in space starts at 0; motion towards the viewer reaches as far to either side.
+/// Equal arrows would show what is nothing but rounding as large as a movement.
+void MotionVectorFigure::leaveOutRipple() {
+  double largest = 0.0;
+  for (const VectorPicture& picture : all_) largest = std::max(largest, picture.largest());
+  style_.leastShown = leastEqual * largest;
+  for (VectorPicture& picture : all_) {
+    const auto isRipple = [&](const PictureArrow& arrow) { return arrow.magnitude < style_.leastShown; };
+    const auto end = std::remove_if(picture.arrows.begin(), picture.arrows.end(), isRipple);
+    picture.still += static_cast<int>(picture.arrows.end() - end);
+    picture.arrows.erase(end, picture.arrows.end());
+  }
+}
+
+/// Motion in space starts at 0; motion towards the viewer reaches as far to either side, and at least as far as a tenth
+/// of the motion in space, so that motion within the picture has the colour of zero.
 void MotionVectorFigure::chooseRange() {
   double least = 0.0, most = 0.0;
   for (const VectorPicture& picture : all_)
@@ -89,8 +107,11 @@ void MotionVectorFigure::chooseRange() {
       least = std::min(least, style_.coloredValue(arrow));
       most = std::max(most, style_.coloredValue(arrow));
     }
-  const double end = automaticRangeEnd(std::max(most, -least));
-  const std::array<double, 2> automatic = {least < 0.0 ? -end : 0.0, end};
+  const bool isSigned = style_.color == MotionVectorOptions::Color::Towards;
+  double largest = 0.0;
+  for (const VectorPicture& picture : all_) largest = std::max(largest, picture.largest());
+  const double end = automaticRangeEnd(std::max({most, -least, isSigned ? leastTowards * largest : 0.0}));
+  const std::array<double, 2> automatic = {isSigned ? -end : 0.0, end};
   std::tie(style_.rangeBegin, style_.rangeEnd) = std::tuple_cat(options_.range.value_or(automatic));
   const double rounding = 1e-9 * (style_.rangeEnd - style_.rangeBegin);
   const bool moves = longest_ > 0.0 || most > 0.0;
@@ -101,26 +122,22 @@ void MotionVectorFigure::chooseScale(double room) {
   style_.scale = options_.scale.value_or(automaticScale(longest_, room / figureUnitsPerMillimetre));
 }
 
-int MotionVectorFigure::columnCount() const {
-  const int count = std::max<int>(1, panels_.size());
+int MotionVectorFigure::columnCount(int panels) const {
+  const int count = std::max(1, panels);
   const int fitting = std::max(1, static_cast<int>((inner_ + units(columnGap)) / units(leastPanel + columnGap)));
   const int columns = std::min({options_.columns > 0 ? options_.columns : fitting, fitting, count});
   const int rows = (count + columns - 1) / columns;
   return options_.columns > 0 ? columns : (count + rows - 1) / rows;  // no row with a single panel beside full ones
 }
 
+double MotionVectorFigure::cellWidth(int columns) const {
+  return (inner_ - (columns - 1) * units(columnGap)) / columns;
+}
+
 double MotionVectorFigure::headingHeight() const {
   double height = 0.0;
   for (const VectorPanelPainter& panel : panels_) height = std::max(height, panel.headingHeight(style_));
   return height;
-}
-
-double MotionVectorFigure::titleHeight() const {
-  return title_.size() * lineHeight(style_.font(titleSize)) + (title_.isEmpty() ? 0.0 : units(titleGap));
-}
-
-double MotionVectorFigure::wordsHeight() const {
-  return caption_.size() * lineHeight(style_.font(captionSize)) + note_.size() * lineHeight(style_.font(noteSize));
 }
 
 VectorPanelPainter::Margins MotionVectorFigure::overhang(double faceScale) const {
@@ -153,23 +170,24 @@ void MotionVectorFigure::chooseReference() {
 }
 
 void MotionVectorFigure::layOut() {
-  const int columns = columnCount(), rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
-  const double cellWidth = (inner_ - (columns - 1) * units(columnGap)) / columns;
+  const int columns = columnCount(static_cast<int>(panels_.size())),
+            rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
+  const double cellWidth = this->cellWidth(columns);
   chooseScale(arrowRoom * cellWidth);
   chooseReference();
   const bool moves = std::any_of(all_.begin(), all_.end(), [](const VectorPicture& p) { return !p.arrows.empty(); });
   if (moves) key_.emplace(style_, reference_, inner_, beyond_);
   const double keyHeight = key_ ? key_->height() : 0.0;
-  const double words = wordsHeight() + (wordsHeight() > 0.0 ? units(wordsGap) : 0.0);
+  const double words = words_->belowHeight() + (words_->belowHeight() > 0.0 ? units(wordsGap) : 0.0);
   const double below = units(keyGap) + keyHeight + words + units(border);
-  const double top = units(border) + titleHeight();
+  const double top = units(border) + words_->titleHeight();
   const double between = std::max(0, rows - 1) * units(rowGap) + rows * headingHeight();
   const double given = (units(options_.height) - top - below - between) / std::max(1, rows);
   const double free = options_.height > 0.0 ? std::max(given, units(leastFace)) : mostShape * cellWidth;
   const double panelHeight = placePanels(top, {cellWidth, free}, columns);
   keyTop_ = top + rows * panelHeight + between + units(keyGap);
   size_.setHeight(std::ceil(std::max(keyTop_ - units(keyGap) + below, units(options_.height))));
-  wordsTop_ = size_.height() - units(border) - wordsHeight();
+  wordsTop_ = size_.height() - units(border) - words_->belowHeight();
   if (key_) key_.emplace(style_, reference_, inner_, beyond_);  // the scale may follow the size of the face
 }
 
@@ -190,24 +208,13 @@ double MotionVectorFigure::placePanels(double top, const QSizeF& free, int colum
   return height;
 }
 
-double MotionVectorFigure::paintLines(QPainter& painter, const QFont& font, const QStringList& lines, double y) const {
-  painter.setFont(font);
-  painter.setPen(style_.theme.text);
-  for (const QString& line : lines) {
-    painter.drawText(QPointF(units(border), y + 0.95 * font.pixelSize()), line);
-    y += lineHeight(font);
-  }
-  return y;
-}
-
 void MotionVectorFigure::paint(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   if (style_.theme.background.isValid()) painter.fillRect(QRectF(QPointF(), size_), style_.theme.background);
-  paintLines(painter, style_.font(titleSize, true), title_, units(border));
+  words_->paintTitle(painter, style_.theme);
   for (size_t i = 0; i < panels_.size(); ++i) panels_[i].paint(painter, style_, headingPlaces_[i]);
   if (key_) key_->paint(painter, QPointF(units(border), keyTop_));
-  const double y = paintLines(painter, style_.font(captionSize), caption_, wordsTop_);
-  paintLines(painter, style_.font(noteSize), note_, y);
+  words_->paintBelow(painter, style_.theme, wordsTop_);
 }
 
 }  // namespace mien

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <QSizeF>
-#include <QStringList>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "FigureWords.h"
 #include "MotionField.h"
 #include "MotionVectorOptions.h"
 #include "VectorKeyPainter.h"
@@ -44,12 +44,16 @@ class MotionVectorFigure {
   double rangeEnd() const { return style_.rangeEnd; }
   double reference() const { return reference_; }  ///< motion of the reference arrow, mm; 0: there is none
 
+  /// Which vectors have arrows; never automatic.
+  const VectorSampling& sampling() const { return options_.picture.sampling; }
+
   /// The panels in their places: what each shows, and the face under a pointer.
   const std::vector<VectorPanelPainter>& panels() const { return panels_; }
 
  private:
-  void prepare(const std::vector<MotionVectorPanel>& panels);
+  void prepare(const std::vector<MotionVectorPanel>& panels, int shown);
   void addPicture(const MotionField& field);
+  void leaveOutRipple();
   void chooseRange();
   void chooseScale(double room);
   void chooseReference();
@@ -57,11 +61,9 @@ class MotionVectorFigure {
   double placePanels(double top, const QSizeF& free, int columns);
   double faceScaleWithin(const QSizeF& cell);
   VectorPanelPainter::Margins overhang(double faceScale) const;
-  int columnCount() const;
+  int columnCount(int panels) const;
+  double cellWidth(int columns) const;
   double headingHeight() const;
-  double titleHeight() const;
-  double wordsHeight() const;
-  double paintLines(QPainter& painter, const QFont& font, const QStringList& lines, double y) const;
 
   MotionVectorOptions options_;
   VectorStyle style_;
@@ -69,7 +71,7 @@ class MotionVectorFigure {
   std::vector<VectorPanelPainter> panels_;
   std::vector<QPointF> headingPlaces_;
   std::optional<VectorKeyPainter> key_;
-  QStringList title_, caption_, note_;
+  std::optional<FigureWords> words_;
   Eigen::AlignedBox2d frame_;
   QSizeF size_;
   double inner_;          ///< width without the border

@@ -29,8 +29,8 @@ struct MotionVectorOptions {
   std::optional<std::array<double, 2>> range;  ///< mm at the ends of the colours; without it from the vectors
   Length length = Length::Seen;
   Color color = Color::Magnitude;
-  std::string colorMap = "viridis";  ///< of ColorTable; "_r" behind the name turns it around
-  bool seams = true;                 ///< whether the lines between patches are drawn
+  std::string colorMap;  ///< of ColorTable; "_r" behind the name turns it around; empty: viridis, towards coolwarm
+  bool seams = true;     ///< whether the lines between patches are drawn
 
   std::string theme = "light";       ///< of FigureTheme
   QColor background;                 ///< invalid: the theme's
@@ -38,7 +38,7 @@ struct MotionVectorOptions {
   double width = 85.0;               ///< of the figure, mm
   double height = 0.0;               ///< mm; 0: what the panels need
   int columns = 0;                   ///< of panels; 0: as many as fit legibly
-  std::string title, caption, note;  ///< around the panels; may be empty
+  std::string title, caption, note;  ///< around the panels; may be empty; the sampling is added to the note
 };
 
 }  // namespace mien

@@ -9,7 +9,8 @@
 
 namespace mien {
 
-/// Colours of values between two ends. Of a map only the part is used that stands out from the theme's background.
+/// Colours of values between two ends. Of a map only the part is used that stands out from the theme's background;
+/// a diverging one is used whole, darkened towards its middle on light backgrounds.
 class VectorColors {
  public:
   /// @param map  of ColorTable, with "_r" turned around; one that is unknown counts as viridis
@@ -26,6 +27,7 @@ class VectorColors {
  private:
   const ColorTable* table_;
   double begin_, end_;
+  double shade_ = 1.0;               ///< factor on the middle's colour
   double first_ = 0.0, last_ = 1.0;  ///< places in the table of the two ends
 };
 

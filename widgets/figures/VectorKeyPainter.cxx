@@ -6,6 +6,7 @@
 #include "ArrowShape.h"
 #include "AxisScale.h"
 #include "TextLines.h"
+#include "VectorScale.h"
 
 namespace mien {
 
@@ -16,6 +17,7 @@ constexpr double barHeight = 2.6, tickLength = 0.7;  // mm
 constexpr double mostWidth = 90.0;                   // mm, of a key in a wide figure
 constexpr double endRoom = 2.2;                      // mm, for the last number or the point of the bar
 constexpr double gap = 4.0;                          // mm, between arrow and bar
+constexpr double tickRoom = 7.0;                     // mm, of a number below the bar
 constexpr int barSteps = 64;                         // no step of a colour can be seen
 
 double units(double millimetres) {
@@ -35,7 +37,8 @@ VectorKeyPainter::VectorKeyPainter(const VectorStyle& style, double reference, d
   const QString seen =
       style.length == Length::InSpace ? QStringLiteral(" of motion in space") : QStringLiteral(" of motion");
   const QString scale = style.length == Length::Equal
-                            ? QStringLiteral("All arrows are equally long: they show directions")
+                            ? QStringLiteral("Arrows of equal length show directions; motion below %1 mm has none")
+                                  .arg(QString::number(style.leastShown, 'g', 2))
                             : QStringLiteral("1 mm of arrow = %1 mm").arg(number(style.scale)) + seen;
   scaleLines_ = textLines(style.font(textSize), scale, hasBar() ? barLeft() - units(gap) : width_);
   titleLines_ = textLines(style.font(textSize), title(), width_ - barLeft());
@@ -138,12 +141,13 @@ void VectorKeyPainter::paintBar(QPainter& painter, const QRectF& bar) const {
 void VectorKeyPainter::paintTicks(QPainter& painter, const QRectF& bar) const {
   const QFont font = style_.font(numberSize);
   const AxisScale scale(style_.rangeBegin, style_.rangeEnd, false);
+  const int most = std::max(2, static_cast<int>(bar.width() / units(tickRoom)));
   painter.setFont(font);
-  for (const AxisTick& tick : scale.ticks(ChartAxis(), std::max(2, static_cast<int>(bar.width() / units(8.0))))) {
-    const double x = bar.left() + scale.fraction(tick.value) * bar.width();
+  for (const double value : rangeTicks(style_.rangeBegin, style_.rangeEnd, most)) {
+    const double x = bar.left() + scale.fraction(value) * bar.width();
     painter.setPen(QPen(style_.theme.axis, figureUnitsFromPoints(style_.theme.axisWidth)));
     painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + units(tickLength)));
-    const QString text = QString::fromStdString(tick.text);
+    const QString text = number(value).replace('-', QChar(0x2212));
     painter.setPen(style_.theme.text);
     painter.drawText(
         QPointF(x - 0.5 * textWidth(font, text), bar.bottom() + units(tickLength + 0.2) + 0.95 * font.pixelSize()),

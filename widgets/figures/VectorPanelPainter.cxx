@@ -12,11 +12,13 @@ namespace mien {
 
 namespace {
 
-constexpr double headingSize = 7.5, remarkSize = 7.0;    // pt
-constexpr double outlineWidth = 0.7, seamWidth = 0.5;    // pt
-constexpr double seamShare = 0.38, outlineShare = 0.75;  // of the text's colour in the background's
-constexpr double leastArrow = 0.25;  // mm: what is seen as a shorter arrow is a dot when it moves by more
-constexpr double dotRadius = 0.22;   // mm
+constexpr double headingSize = 7.5, remarkSize = 7.0;  // pt
+constexpr double outlineWidth = 0.7, seamWidth = 0.5;  // pt
+constexpr double landmarkWidth = 0.6;                  // pt
+constexpr double seamShare = 0.30, landmarkShare = 0.60,
+                 outlineShare = 0.75;  // of the text's colour in the background's
+constexpr double leastArrow = 0.25;    // mm: what is seen as a shorter arrow is a dot when it moves by more
+constexpr double dotRadius = 0.22;     // mm
 
 QColor mixed(const QColor& a, const QColor& b, double share) {
   const auto part = [&](double x, double y) { return share * x + (1.0 - share) * y; };
@@ -73,6 +75,8 @@ void VectorPanelPainter::paint(QPainter& painter, const VectorStyle& style, cons
   painter.setBrush(Qt::NoBrush);
   painter.setPen(linePen(mixed(theme.text, theme.background, seamShare), seamWidth));
   paintLines(painter, picture_.seams);
+  painter.setPen(linePen(mixed(theme.text, theme.background, landmarkShare), landmarkWidth));
+  paintLines(painter, picture_.landmarks);
   painter.setPen(linePen(mixed(theme.text, theme.background, outlineShare), outlineWidth));
   paintLines(painter, picture_.outline);
   paintArrows(painter, style);

@@ -14,6 +14,7 @@ VectorStyle::VectorStyle(const MotionVectorOptions& options)
       family(QString::fromStdString(options.font)),
       colorMap(options.colorMap) {
   const FigureTheme* const known = FigureTheme::find(options.theme);
+  if (colorMap.empty()) colorMap = color == MotionVectorOptions::Color::Towards ? "coolwarm" : "viridis";
   theme = known ? *known : FigureTheme::all().front();
   if (options.background.isValid()) theme.background = options.background;
 }
@@ -27,7 +28,7 @@ QFont VectorStyle::font(double points, bool bold) const {
 QPointF VectorStyle::arrow(const PictureArrow& arrow) const {
   using Length = MotionVectorOptions::Length;
   const double seen = arrow.vector.norm();
-  if (!(seen > 0.0)) return {};
+  if (!(seen > 0.0) || (length == Length::Equal && seen < leastShown)) return {};
   const double factor = length == Length::Equal     ? equalArrow / seen
                         : length == Length::InSpace ? arrow.magnitude / seen / scale
                                                     : 1.0 / scale;

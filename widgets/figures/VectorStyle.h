@@ -21,6 +21,7 @@ struct VectorStyle {
   QString family;
   std::string colorMap;
   double scale = 1.0;                       ///< mm of motion per mm of arrow
+  double leastShown = 0.0;                  ///< mm; what moves less has no arrow of equal length
   double rangeBegin = 0.0, rangeEnd = 1.0;  ///< mm
 
   QFont font(double points, bool bold = false) const;

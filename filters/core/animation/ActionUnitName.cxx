@@ -1,8 +1,9 @@
 #include "ActionUnitName.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
+
+#include "SmallLetters.h"
 
 namespace mien {
 
@@ -19,8 +20,7 @@ bool readEnding(std::string_view ending, bool sidesAreSmall, ActionUnitName& nam
   if (ending == "_c") name.kind = ActionUnitName::Kind::Presence;
   if (ending == "_r" && !sidesAreSmall) name.kind = ActionUnitName::Kind::Intensity;
   if (name.kind != ActionUnitName::Kind::Plain) return true;
-  std::string side(ending.substr(ending[0] == '_' || ending[0] == '-' ? 1 : 0));
-  for (char& c : side) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string side = inSmallLetters(ending.substr(ending[0] == '_' || ending[0] == '-' ? 1 : 0));
   if (side == "l" || side == "left") name.side = Side::Left;
   if (side == "r" || side == "right") name.side = Side::Right;
   return name.side != Side::Both;

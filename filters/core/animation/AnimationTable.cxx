@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "AnimationJson.h"
 #include "FAPTable.h"
 #include "MotionDirection.h"
 
@@ -12,18 +12,8 @@ namespace mien {
 
 namespace {
 
-using Json = nlohmann::json;
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw std::invalid_argument(what);
-}
-
-/// A key that nobody reads is most likely misspelt, and its effect missing.
-void refuseUnknownKeys(const Json& json, std::initializer_list<const char*> known) {
-  if (!json.is_object()) refuse("an object {...} is needed where there is " + std::string(json.type_name()));
-  for (const auto& [key, value] : json.items())
-    if (std::find(known.begin(), known.end(), key) == known.end()) refuse("the key \"" + key + "\" is unknown");
-}
+constexpr double steepestSlope = 1e3;
+constexpr size_t mostParts = 64;  // of an entry; the bundled table has up to 4
 
 int parseCurve(const Json& json) {
   const std::string name = json.get<std::string>();
@@ -39,7 +29,11 @@ double parseNumber(const Json& json, const std::string& what) {
 
 Eigen::Vector3d parseVector(const Json& json) {
   if (!json.is_array() || json.size() != 3) refuse("a slope must be three numbers x, y, z");
-  return {parseNumber(json[0], "a slope"), parseNumber(json[1], "a slope"), parseNumber(json[2], "a slope")};
+  const Eigen::Vector3d slope(parseNumber(json[0], "a slope"), parseNumber(json[1], "a slope"),
+                              parseNumber(json[2], "a slope"));
+  if (slope.cwiseAbs().maxCoeff() > steepestSlope)
+    refuse("a slope lies beyond +-1000; 1 is a shift by the FAP value as MPEG-4 counts it");
+  return slope;
 }
 
 ProfileShape parseShape(const std::string& name) {
@@ -104,9 +98,15 @@ std::vector<Eigen::Vector3d> parseSlopes(const Json& part, const AnimationEntry&
   return slopes;
 }
 
+FollowerShape parseFollow(const std::string& name) {
+  if (name == "linear") return FollowerShape::Linear;
+  if (name == "smooth") return FollowerShape::Smooth;
+  refuse("\"follow\" is \"" + name + "\"; it must be linear or smooth");
+}
+
 AnimationPart parsePart(const Json& json, const AnimationEntry& entry) {
   AnimationPart part;
-  refuseUnknownKeys(json, {"curves", "above", "below", "slopes", "profile"});
+  refuseUnknownKeys(json, {"curves", "above", "below", "follow", "slopes", "profile"});
   for (const Json& curve : json.at("curves")) part.curves.push_back(parseCurve(curve));
   if (part.curves.empty()) refuse("a part lists no curves");
   std::sort(part.curves.begin(), part.curves.end());
@@ -115,6 +115,7 @@ AnimationPart parsePart(const Json& json, const AnimationEntry& entry) {
   if (json.contains("below")) part.below = parseCurve(json["below"]);
   if (part.above >= part.curves.front()) refuse("\"above\" must name a curve above those moved");
   if (part.below >= 0 && part.below <= part.curves.back()) refuse("\"below\" must name a curve below those moved");
+  part.follow = parseFollow(json.value("follow", std::string("linear")));
   part.profile = parseProfile(json.at("profile"));
   part.slopes = parseSlopes(json, entry);
   return part;
@@ -159,6 +160,9 @@ void parseEntry(const Json& json, AnimationEntry& entry) {
   entry.beyond = parseFapList(json, "beyond");
   entry.lends = parseLoans(json);
   if (!entry.replaces.empty() && !entry.beyond.empty()) refuse("it may have \"replaces\" or \"beyond\", not both");
+  if (json.at("parts").size() > mostParts)
+    refuse("it has " + std::to_string(json.at("parts").size()) + " parts; at most " + std::to_string(mostParts) +
+           " are read");
   for (const Json& part : json.at("parts")) entry.parts.push_back(parsePart(part, entry));
   if (entry.parts.empty()) refuse("it has no parts");
 }
@@ -174,25 +178,6 @@ ContactPair parseContact(const Json& json) {
   if (yields != "upper" && yields != "both") refuse("\"yields\" must be upper or both");
   pair.upperYields = yields == "upper";
   return pair;
-}
-
-/// The sentence of a fault that the JSON library found, without its number.
-std::string plainText(const Json::exception& error) {
-  const std::string text = error.what();
-  const size_t end = text.find("] ");
-  return end == std::string::npos ? text : text.substr(end + 2);
-}
-
-/// Runs one step of parsing; a fault is told with the name of what was being parsed.
-template <typename Step>
-void within(const std::string& place, Step&& step) {
-  try {
-    step();
-  } catch (const Json::exception& error) {
-    refuse(place + ": " + plainText(error));
-  } catch (const std::invalid_argument& error) {
-    refuse(place + ": " + error.what());
-  }
 }
 
 void parseFaps(const Json& json, std::vector<AnimationEntry>& entries) {
@@ -234,10 +219,6 @@ void checkRelations(const std::vector<AnimationEntry>& entries) {
   }
 }
 
-bool isKnownVersion(const Json& version) {
-  return version.is_number_integer() && version >= 1 && version <= AnimationTable::version;
-}
-
 struct TableContent {
   int version = 0;
   std::vector<AnimationEntry> entries;
@@ -248,11 +229,12 @@ struct TableContent {
 void parseRoot(const Json& root, TableContent& content) {
   if (!root.is_object() || root.value("format", Json()) != "mien animation table")
     refuse("\"format\" is not \"mien animation table\"");
-  if (!isKnownVersion(root.value("version", Json())))
+  if (!isKnownVersion(root.value("version", Json()), AnimationTable::version))
     refuse("its version is none of those known, 1 to " + std::to_string(AnimationTable::version));
   content.version = root["version"].get<int>();
   refuseUnknownKeys(root, {"format", "version", "contacts", "sideways", "faps"});
   if (!root.contains("faps") || !root["faps"].is_array()) refuse("it has no list \"faps\"");
+  if (root["faps"].empty()) refuse("its list \"faps\" is empty, nothing would move; add an entry");
   if (root.contains("contacts"))
     within("contacts", [&] {
       for (const Json& pair : root["contacts"]) content.contacts.push_back(parseContact(pair));
@@ -269,18 +251,9 @@ void parseRoot(const Json& root, TableContent& content) {
 
 std::string AnimationTable::parse(const std::string& json) {
   TableContent content;
-  faultLine_ = 0;
-  try {
-    parseRoot(Json::parse(json), content);
-  } catch (const Json::parse_error& error) {
-    const auto end = json.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, json.size()));
-    faultLine_ = 1 + static_cast<int>(std::count(json.begin(), end, '\n'));
-    return "animation table: it is no valid JSON from here on; look for a missing comma, quote or bracket";
-  } catch (const Json::exception& error) {
-    return "animation table: " + plainText(error);
-  } catch (const std::invalid_argument& error) {
-    return std::string("animation table: ") + error.what();
-  }
+  const std::string fault =
+      parseJson(json, "animation table", faultLine_, [&](const Json& root) { parseRoot(root, content); });
+  if (!fault.empty()) return fault;
   fileVersion_ = content.version;
   entries_ = std::move(content.entries);
   contacts_ = std::move(content.contacts);

@@ -10,11 +10,19 @@
 
 namespace mien {
 
+/// How the curves between a moved one and a resting one follow, with s the share of the way by height, 1 at the moved
+/// one.
+enum class FollowerShape {
+  Linear,  ///< s: keeps the order of the curves as long as the outer two keep theirs
+  Smooth   ///< s^2 (3 - 2 s): no edge across the skin at either end
+};
+
 /// Some curves that one FAP moves alike, and how the neighbours follow.
 struct AnimationPart {
   std::vector<int> curves;  ///< indices, moved with the weights of the profile
-  int above = -1;           ///< curves between this one and the first moved follow linearly by height; -1: none
+  int above = -1;           ///< curves between this one and the first moved follow by height; -1: none
   int below = -1;           ///< the same between the last moved one and this
+  FollowerShape follow = FollowerShape::Linear;
   WeightProfile profile;
   std::vector<Eigen::Vector3d> slopes;  ///< per interval, in FAP units (x left, y up, z forward)
 };
@@ -51,12 +59,13 @@ struct CurveBand {
 
 /// The face animation table (FAT) [S 5]: which points of the boundary curves each FAP moves, and how far.
 ///
-/// Read from JSON: {"format": "mien animation table", "version": 2, "contacts": [...], "faps": [...]}, see
-/// doc/animation_table.md; tables of version 1, which had no relations between FAPs, are read too. Points are addressed
-/// by curve and by feature points along v, never by sample, so one table serves every face and every K >= 32.
+/// Read from JSON: {"format": "mien animation table", "version": 3, "contacts": [...], "faps": [...]}, see
+/// doc/animation_table.md; tables of version 1, which had no relations between FAPs, and 2 without "follow" are read
+/// too. Points are addressed by curve and by feature points along v, never by sample, so one table serves every face
+/// and every K >= 32.
 class AnimationTable {
  public:
-  static constexpr int version = 2;
+  static constexpr int version = 3;
 
   /// Replaces the table; on a fault it stays as it was.
   /// @return nothing, or one sentence that names the entry and what is wrong with it

@@ -1,52 +1,87 @@
 #include "CaptureColumns.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "ActionUnitName.h"
+#include "NumberText.h"
+#include "SmallLetters.h"
 
 namespace mien {
 
 namespace {
 
-std::string inSmallLetters(std::string_view text) {
-  std::string small(text);
-  for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return small;
+std::string nameOf(const std::vector<std::string_view>& header, std::size_t column) {
+  return "column " + std::to_string(column + 1) + " (" + inQuotes(header[column]) + ")";
 }
 
+/// The columns found so far, by what they mean: two of one meaning would count twice.
+class Binding {
+ public:
+  explicit Binding(const std::vector<std::string_view>& header) : header_(header) {}
+
+  /// @param side "" for both sides, which neither "left" nor "right" may join
+  void claim(const std::string& action, const std::string& side, std::size_t column) {
+    for (const Claim& other : claims_)
+      if (columns.fault.empty() && other.action == action && (other.side == side || other.side.empty() || side.empty()))
+        columns.fault =
+            nameOf(header_, column) + " moves what " + nameOf(header_, other.column) + " moves; remove one of them";
+    claims_.push_back({action, side, column});
+  }
+
+  void set(std::optional<std::size_t>& place, std::size_t column) {
+    if (place && columns.fault.empty())
+      columns.fault =
+          nameOf(header_, column) + " says again what " + nameOf(header_, *place) + " says; remove one of them";
+    place = column;
+  }
+
+  CaptureColumns columns;
+
+ private:
+  struct Claim {
+    std::string action, side;
+    std::size_t column;
+  };
+  const std::vector<std::string_view>& header_;
+  std::vector<Claim> claims_;
+};
+
 /// What is beside the face: time, quality. @return whether the column is of that sort
-bool bindFrame(std::string_view name, std::size_t column, CaptureColumns& columns) {
+bool bindFrame(std::string_view name, std::size_t column, Binding& binding) {
+  CaptureColumns& columns = binding.columns;
   const std::string small = inSmallLetters(name);
   if (small == "frame")
-    columns.frame = column;
+    binding.set(columns.frame, column);
   else if (small == "time" || small == "timestamp" || small == "seconds")
-    columns.time = column;
+    binding.set(columns.time, column);
   else if (small == "timecode")
-    columns.timeCode = column;
+    binding.set(columns.timeCode, column);
   else if (small == "success")
-    columns.success = column;
+    binding.set(columns.success, column);
   else if (small == "face_id" || small == "face")
-    columns.face = column;
+    binding.set(columns.face, column);
   else if (small == "blendshapecount")
-    columns.shapeCount = column;
+    binding.set(columns.shapeCount, column);
   else
     return small == "confidence";
   return true;
 }
 
-bool bindRotation(std::string_view name, std::size_t column, const FacialActionMap& map, CaptureColumns& columns) {
+bool bindRotation(std::string_view name, std::size_t column, const FacialActionMap& map, Binding& binding) {
   const CaptureAction* rotation = findAction(map.rotations, name);
   if (!rotation) return false;
-  if (!rotation->writtenOnly) columns.effects.push_back({column, rotation->faps, 1.0, true});
+  binding.claim(rotation->name, "", column);
+  if (!rotation->writtenOnly)
+    binding.columns.effects.push_back({column, rotation->faps, 1.0, true, rotation->standsIn});
   return true;
 }
 
-bool bindBlendshape(std::string_view name, std::size_t column, const FacialActionMap& map, CaptureColumns& columns) {
+bool bindBlendshape(std::string_view name, std::size_t column, const FacialActionMap& map, Binding& binding) {
   const std::size_t dot = name.rfind('.');
   const CaptureAction* shape = findAction(map.blendshapes, dot == name.npos ? name : name.substr(dot + 1));
   if (!shape) return false;
-  columns.effects.push_back({column, shape->faps, 0.0, false});
+  binding.claim(shape->name, "", column);
+  binding.columns.effects.push_back({column, shape->faps, 0.0, false, false});
   return true;
 }
 
@@ -61,15 +96,17 @@ class ActionUnitBinder {
   ActionUnitBinder(const std::vector<std::string_view>& header, const FacialActionMap& map)
       : header_(header), map_(map), sidesAreSmall_(hasSmallLeft(header)) {}
 
-  bool bind(std::size_t column, CaptureColumns& columns) const {
+  bool bind(std::size_t column, Binding& binding) const {
     const auto name = parseActionUnitName(header_[column], sidesAreSmall_);
     if (!name) return false;
     if (name->kind == ActionUnitName::Kind::Presence && hasIntensity(name->unit)) return true;
     const CaptureAction* action = findAction(map_.actionUnits, "AU" + std::to_string(name->unit));
     if (!action) return false;
     using Side = ActionUnitName::Side;
-    const auto faps = name->side == Side::Both ? action->faps : sideOf(*action, name->side == Side::Left).faps;
-    columns.effects.push_back({column, faps, fullStrength(name->kind), false});
+    const bool whole = name->side == Side::Both, left = name->side == Side::Left;
+    binding.claim(action->name, whole ? "" : left ? "left" : "right", column);
+    const auto faps = whole ? action->faps : sideOf(*action, left).faps;
+    binding.columns.effects.push_back({column, faps, fullStrength(name->kind), false, false});
     return true;
   }
 
@@ -93,27 +130,26 @@ class ActionUnitBinder {
 
 template <typename Bind>
 CaptureColumns bindAll(const std::vector<std::string_view>& header, const FacialActionMap& map, Bind&& bindAction) {
-  CaptureColumns columns;
+  Binding binding(header);
   for (std::size_t column = 0; column < header.size(); ++column) {
-    const bool isAction = bindAction(column, columns);
-    columns.actions += isAction;
-    if (!isAction && !bindFrame(header[column], column, columns) && !bindRotation(header[column], column, map, columns))
-      columns.unused.emplace_back(header[column]);
+    const bool isAction = bindAction(column, binding);
+    binding.columns.actions += isAction;
+    if (!isAction && !bindFrame(header[column], column, binding) && !bindRotation(header[column], column, map, binding))
+      binding.columns.unused.emplace_back(header[column]);
   }
-  return columns;
+  return binding.columns;
 }
 
 }  // namespace
 
 CaptureColumns CaptureColumns::ofActionUnits(const std::vector<std::string_view>& header, const FacialActionMap& map) {
   const ActionUnitBinder binder(header, map);
-  return bindAll(header, map,
-                 [&](std::size_t column, CaptureColumns& columns) { return binder.bind(column, columns); });
+  return bindAll(header, map, [&](std::size_t column, Binding& binding) { return binder.bind(column, binding); });
 }
 
 CaptureColumns CaptureColumns::ofBlendshapes(const std::vector<std::string_view>& header, const FacialActionMap& map) {
-  return bindAll(header, map, [&](std::size_t column, CaptureColumns& columns) {
-    return bindBlendshape(header[column], column, map, columns);
+  return bindAll(header, map, [&](std::size_t column, Binding& binding) {
+    return bindBlendshape(header[column], column, map, binding);
   });
 }
 

@@ -15,14 +15,16 @@ struct CaptureColumns {
   struct Effect {
     std::size_t column = 0;
     std::vector<std::pair<int, double>> faps;  ///< at a value of 1
-    double full = 1.0;     ///< the value of full strength; 0 when the table must tell: 1, or what more it reaches
-    bool isAngle = false;  ///< any sign and size
+    double full = 1.0;      ///< the value of full strength; 0 when the table must tell: 1, or what more it reaches
+    bool isAngle = false;   ///< any sign and size
+    bool standsIn = false;  ///< counts only when no other column moves its FAP in the whole table
   };
 
   std::vector<Effect> effects;
   std::optional<std::size_t> frame, time, timeCode, success, face, shapeCount;
   std::vector<std::string> unused;  ///< names of other columns
   std::size_t actions = 0;          ///< how many columns are action units or blendshapes
+  std::string fault;                ///< names two columns that mean the same; else empty
 
   /// "AU1", "AU01_r", .. as ActionUnitName.h reads them; "pose_Rx", .. Presences ("_c") only count where there is no
   /// intensity.

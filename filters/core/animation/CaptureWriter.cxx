@@ -6,13 +6,13 @@
 #include "ActionFit.h"
 #include "FAPWriter.h"
 #include "NumberText.h"
+#include "TimeCode.h"
 
 namespace mien {
 
 namespace {
 
 constexpr double intensityOfOpenFace = 5.0;
-constexpr int timeCodeRate = 60;
 // The action units that OpenFace estimates; 28 as a presence only.
 constexpr int openFaceUnits[] = {1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15, 17, 20, 23, 25, 26, 45, 28};
 constexpr double presentFrom = 0.2;  // of full strength: the first of the five intensities of FACS
@@ -90,18 +90,6 @@ std::string headerOf(CaptureStyle style, const Columns& columns) {
   return "Timecode,BlendshapeCount" + names + angles + "\n";
 }
 
-std::string padded(long long number, std::size_t digits) {
-  const std::string text = std::to_string(number);
-  return std::string(digits - std::min(digits, text.size()), '0') + text;
-}
-
-std::string timeCodeOf(double time) {
-  const auto thousandths = static_cast<long long>(std::llround(time * timeCodeRate * 1000.0));
-  const long long frames = thousandths / 1000, seconds = frames / timeCodeRate;
-  return padded(seconds / 3600, 2) + ":" + padded(seconds / 60 % 60, 2) + ":" + padded(seconds % 60, 2) + ":" +
-         padded(frames % timeCodeRate, 2) + "." + padded(thousandths % 1000, 3);
-}
-
 /// Four digits after the point are what capture apps write, and finer than any of them measures.
 void appendStrength(double value, std::string& text) {
   appendNumber(text += ",", std::round(value * 1e4) / 1e4);
@@ -128,7 +116,7 @@ std::string rowOf(CaptureStyle style, const FAPSequence& sequence, std::size_t i
   const double time = sequence.timeOfFrame(index);
   std::string text;
   if (style == CaptureStyle::LiveLinkFace) {
-    text = timeCodeOf(time) + "," + std::to_string(columns.names.size() + columns.angles.size());
+    text = timeCodeText(sequence.startTime + time) + "," + std::to_string(columns.names.size() + columns.angles.size());
     appendStrengths(strengths, columns, text);
     appendAngles(frame, columns, text);
     return text + "\n";

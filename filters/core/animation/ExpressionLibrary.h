@@ -35,6 +35,9 @@ class ExpressionLibrary {
   /// @return nothing, or one sentence that names the expression and what is wrong with it
   std::string parse(const std::string& json);
 
+  /// The line of the last fault where the text is no JSON; 0 for any other.
+  int faultLine() const { return faultLine_; }
+
   const std::vector<ExpressionProfile>& expressions() const { return expressions_; }
   const ExpressionProfile* find(const std::string& name) const;  ///< or nullptr
 
@@ -47,6 +50,7 @@ class ExpressionLibrary {
 
  private:
   std::vector<ExpressionProfile> expressions_;
+  int faultLine_ = 0;
 };
 
 }  // namespace mien

@@ -1,20 +1,21 @@
 #include "FAPColumn.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string>
 
 #include "FAPFields.h"
 #include "FAPTable.h"
+#include "SmallLetters.h"
 
 namespace mien {
 
 namespace {
 
-std::string inSmallLetters(std::string_view text) {
-  std::string small(text);
-  for (char& c : small) c = c == ' ' || c == '-' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return small;
+std::string plain(std::string_view text) {
+  std::string name = inSmallLetters(text);
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+  return name;
 }
 
 std::optional<FAPColumn> findField(const std::string& name) {
@@ -22,7 +23,7 @@ std::optional<FAPColumn> findField(const std::string& name) {
   FAPFrame frame;
   int field = 0;
   visitHighLevelFields(frame, [&](std::string_view known, double&) {
-    const std::string small = inSmallLetters(known);
+    const std::string small = plain(known);
     if (name == small || name == small.substr(5)) found = FAPColumn{field < visemeFields ? 1 : 2, field};
     ++field;
   });
@@ -50,7 +51,7 @@ void FAPColumn::setValue(FAPFrame& frame, double value) const {
 }
 
 std::optional<FAPColumn> findFAPColumn(std::string_view text) {
-  const std::string name = inSmallLetters(text);
+  const std::string name = plain(text);
   if (const auto field = findField(name)) return field;
   const int number = numberAfterFAP(name);
   if (number >= FAPFrame::firstLowLevel && number <= FAPFrame::count) return FAPColumn{number};

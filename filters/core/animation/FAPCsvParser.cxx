@@ -1,6 +1,7 @@
 #include "FAPCsvParser.h"
 
-#include <bitset>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "CommaReader.h"
@@ -8,8 +9,11 @@
 #include "FAPFields.h"
 #include "FAPParser.h"
 #include "FrameTimes.h"
+#include "MotionBasis.h"
 #include "NumberText.h"
 #include "RowNumbers.h"
+#include "SmallLetters.h"
+#include "TimeCode.h"
 
 namespace mien {
 
@@ -34,6 +38,7 @@ class Parser {
 
  private:
   std::string readComment(std::string_view comment);
+  std::string setOnce(std::optional<std::size_t>& place, std::size_t column) const;
   std::string bindColumns();
   std::string bindColumn(std::size_t column, const FAPColumn& fap);
   std::string readRow();
@@ -43,7 +48,7 @@ class Parser {
 
   CommaReader reader_;
   std::vector<std::pair<std::size_t, FAPColumn>> faps_;
-  std::bitset<FAPFrame::count + 1 + highLevelFields> seen_;
+  std::array<std::optional<std::size_t>, FAPFrame::count + 1 + highLevelFields> seen_;  ///< the column of each
   std::optional<std::size_t> frameColumn_, timeColumn_;
   FrameTimes times_;
   bool hasRate_ = false, warnedOfRange_ = false;
@@ -62,15 +67,28 @@ std::string Parser::readComment(std::string_view comment) {
   if (hasRate_) sequence.framesPerSecond = *number;
   const std::string_view fapVersion = valueOf(comment, "; version=");
   if (fapVersion == "2.0" || fapVersion == "2.1") sequence.version = fapVersion;
+  const std::string_view start = valueOf(comment, "; start=");
+  const std::optional<TimeCode> code = parseTimeCode(start);
+  if (!start.empty() && !code) return "the start is " + inQuotes(start) + "; write HH:MM:SS:FF, 60 frames per second";
+  if (code) sequence.startTime = secondsOf(*code, writtenTimeCodeRate);
   sequence.name = valueOf(comment, "; name=");
   return {};
 }
 
 std::string Parser::bindColumn(std::size_t column, const FAPColumn& fap) {
   const std::size_t place = fap.field < 0 ? fap.fap : FAPFrame::count + 1 + fap.field;
-  if (seen_[place]) return reader_.columnName(column) + " gives a FAP a second time; remove one of them";
-  seen_.set(place);
+  if (seen_[place])
+    return reader_.columnName(column) + " gives the FAP of " + reader_.columnName(*seen_[place]) +
+           " a second time; remove one of them";
+  seen_[place] = column;
   faps_.emplace_back(column, fap);
+  return {};
+}
+
+std::string Parser::setOnce(std::optional<std::size_t>& place, std::size_t column) const {
+  if (place)
+    return reader_.columnName(column) + " says again what " + reader_.columnName(*place) + " says; remove one of them";
+  place = column;
   return {};
 }
 
@@ -79,10 +97,11 @@ std::string Parser::bindColumns() {
   const auto& header = reader_.header();
   for (std::size_t column = 0; column < header.size(); ++column) {
     std::string fault;
-    if (header[column] == "frame" || header[column] == "Frame")
-      frameColumn_ = column;
-    else if (header[column] == "time" || header[column] == "Time" || header[column] == "timestamp")
-      timeColumn_ = column;
+    const std::string small = inSmallLetters(header[column]);
+    if (small == "frame")
+      fault = setOnce(frameColumn_, column);
+    else if (small == "time" || small == "timestamp")
+      fault = setOnce(timeColumn_, column);
     else if (const auto fap = findFAPColumn(header[column]))
       fault = bindColumn(column, *fap);
     else
@@ -111,6 +130,8 @@ std::string Parser::readRow() {
     if (!fault.empty()) return fault;
     const std::optional<double> value = numberIn(reader_, column, fault);
     if (!value) continue;
+    if (std::abs(*value) > MotionBasis::largestValue)
+      return reader_.columnName(column) + " is " + inQuotes(reader_.cells()[column]) + "; FAP values lie within +-1e6";
     fap.setValue(frame, *value);
     mask.set(fap.fap - 1);
   }
@@ -132,9 +153,10 @@ std::optional<FAPParseError> Parser::parse() {
   if (fault.empty() && sequence.frames.empty()) fault = "there are no frames; give a row for each below the header";
   if (!fault.empty()) return error(fault);
   sequence.rateIsAssumed = !hasRate_;
+  times_.hasNumbers = frameColumn_.has_value();
   if (!hasRate_ && timeColumn_)
     if (const auto misplaced = times_.place(sequence)) return misplaced;
-  if (sequence.rateIsAssumed) sequence.warnings.push_back({1, "there is no time; 25 frames per second are assumed"});
+  if (sequence.rateIsAssumed) sequence.warnings.push_back({1, describeAssumedRate(timeColumn_.has_value())});
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include "FAPFields.h"
 #include "FAPWriter.h"
 #include "NumberText.h"
+#include "TimeCode.h"
 
 namespace mien {
 
@@ -52,6 +53,7 @@ std::string writeFAPCsv(const FAPSequence& sequence, std::string& text) {
   std::string written = "# mien fap csv 1; fps=";
   appendNumber(written, sequence.framesPerSecond);
   if (!sequence.version.empty()) written += "; version=" + sequence.version;
+  if (sequence.startTime > 0.0) written += "; start=" + timeCodeText(sequence.startTime);
   written += "; name=" + writtenFAPName(sequence.name) + "\n";
   appendHeader(used, written);
   for (std::size_t index = 0; index < sequence.frames.size(); ++index)

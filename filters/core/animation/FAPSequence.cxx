@@ -26,6 +26,13 @@ FAPMask maskOfValues(const FAPFrame& frame) {
   return mask;
 }
 
+std::vector<int> numbersOf(const FAPMask& mask) {
+  std::vector<int> numbers;
+  for (int fap = 1; fap <= FAPFrame::count; ++fap)
+    if (mask[fap - 1]) numbers.push_back(fap);
+  return numbers;
+}
+
 double mix(double a, double b, double weight) {
   return (1.0 - weight) * a + weight * b;
 }
@@ -60,10 +67,13 @@ FAPMask FAPSequence::mask(std::size_t index) const {
 std::vector<int> FAPSequence::fapsUsed() const {
   FAPMask all;
   for (std::size_t index = 0; index < frames.size(); ++index) all |= mask(index);
-  std::vector<int> used;
-  for (int fap = 1; fap <= FAPFrame::count; ++fap)
-    if (all[fap - 1]) used.push_back(fap);
-  return used;
+  return numbersOf(all);
+}
+
+std::vector<int> FAPSequence::fapsMoved() const {
+  FAPMask all;
+  for (const FAPFrame& frame : frames) all |= maskOfValues(frame);
+  return numbersOf(all);
 }
 
 double FAPSequence::duration() const {

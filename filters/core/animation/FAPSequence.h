@@ -26,6 +26,7 @@ struct FAPSequence {
   std::string name;
   double framesPerSecond = 25.0;
   bool rateIsAssumed = false;                      ///< the file does not say how fast it plays
+  double startTime = 0.0;                          ///< s since midnight of the first frame by its time code; 0 for none
   std::optional<std::int64_t> declaredFrameCount;  ///< what the header says; the frames themselves are what counts
   std::vector<FAPFrame> frames;
   std::vector<FAPMask> masks;  ///< as written, one per frame, or none for frames of other origin
@@ -33,6 +34,7 @@ struct FAPSequence {
 
   FAPMask mask(std::size_t index) const;  ///< what this frame sets: by its mask, or by not being 0
   std::vector<int> fapsUsed() const;      ///< the FAPs that at least one frame sets, ascending
+  std::vector<int> fapsMoved() const;     ///< those that at least one frame gives a value other than 0
 
   double timeOfFrame(std::size_t index) const { return index / framesPerSecond; }  ///< s
   double duration() const;                                                         ///< s, time of the last frame

@@ -1,45 +1,33 @@
 #include "FacialActionMap.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "AnimationJson.h"
 #include "FAPTable.h"
+#include "MotionBasis.h"
+#include "SmallLetters.h"
 
 namespace mien {
 
 namespace {
 
-using Json = nlohmann::json;
-
-constexpr double largestValue = 1e6;  // FAP units
-
-int parseFAP(const std::string& key) {
-  const bool digits = !key.empty() && key.size() <= 2 && key.find_first_not_of("0123456789") == std::string::npos;
-  const int fap = digits ? std::stoi(key) : 0;
-  if (fap < FAPFrame::firstLowLevel || fap > FAPFrame::count)
-    throw std::invalid_argument("\"" + key + "\" is no FAP; use 3 to 68");
-  return fap;
-}
-
 CaptureAction parseAction(const Json& json) {
   CaptureAction action;
   action.name = json.at("name").get<std::string>();
-  try {
+  within(action.name, [&] {
+    refuseUnknownKeys(json, {"name", "description", "sided", "written_only", "stands_in", "weak", "faps"});
     action.description = json.value("description", std::string());
     action.sided = json.value("sided", false);
     action.writtenOnly = json.value("written_only", false);
+    action.standsIn = json.value("stands_in", false);
     action.weak = json.value("weak", std::vector<int>());
     for (const auto& [key, value] : json.at("faps").items()) {
-      if (!value.is_number() || !(std::abs(value.get<double>()) <= largestValue))
-        throw std::invalid_argument("the value of FAP " + key + " must be a number within +-1e6");
-      action.faps.emplace_back(parseFAP(key), value.get<double>());
+      if (!value.is_number() || !(std::abs(value.get<double>()) <= MotionBasis::largestValue))
+        refuse("the value of FAP " + key + " must be a number within +-1e6");
+      action.faps.emplace_back(parseFAPKey(key), value.get<double>());
     }
-  } catch (const std::exception& error) {
-    throw std::invalid_argument(action.name + ": " + error.what());
-  }
+  });
   std::sort(action.faps.begin(), action.faps.end());
   return action;
 }
@@ -50,21 +38,20 @@ std::vector<CaptureAction> parseActions(const Json& root, const char* group) {
     actions.push_back(parseAction(json));
     const auto isSame = [&](const CaptureAction& other) { return other.name == actions.back().name; };
     if (std::find_if(actions.begin(), actions.end() - 1, isSame) != actions.end() - 1)
-      throw std::invalid_argument(actions.back().name + " is given twice");
+      refuse(actions.back().name + " is given twice");
   }
   return actions;
 }
 
 std::string plain(std::string_view name) {
   const bool shortSide = name.size() > 2 && (name[name.size() - 2] == '_' || name[name.size() - 2] == '-');
-  const char side = shortSide ? static_cast<char>(std::tolower(static_cast<unsigned char>(name.back()))) : ' ';
+  const char side = shortSide ? inSmallLetters(name.substr(name.size() - 1))[0] : ' ';
   std::string text(side == 'l' || side == 'r' ? name.substr(0, name.size() - 2) : name);
   if (side == 'l') text += "left";
   if (side == 'r') text += "right";
   const auto isMark = [](char c) { return c == '_' || c == '-' || c == ' '; };
   text.erase(std::remove_if(text.begin(), text.end(), isMark), text.end());
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
+  return inSmallLetters(text);
 }
 
 }  // namespace
@@ -85,19 +72,17 @@ CaptureAction sideOf(const CaptureAction& action, bool left) {
 
 std::string FacialActionMap::parse(const std::string& json) {
   FacialActionMap parsed;
-  try {
-    const Json root = Json::parse(json);
+  const std::string fault = parseJson(json, "facial action map", faultLine, [&](const Json& root) {
     if (!root.is_object() || root.value("format", Json()) != "mien facial action map")
-      return "facial action map: \"format\" is not \"mien facial action map\"";
-    if (root.value("version", Json()) != version) return "facial action map: the version is not 1, the only one known";
+      refuse("\"format\" is not \"mien facial action map\"");
+    if (!isKnownVersion(root.value("version", Json()), version)) refuse("the version is not 1, the only one known");
+    refuseUnknownKeys(root, {"format", "version", "action_units", "blendshapes", "rotations", "left_out"});
     parsed.actionUnits = parseActions(root, "action_units");
     parsed.blendshapes = parseActions(root, "blendshapes");
     parsed.rotations = parseActions(root, "rotations");
-  } catch (const std::exception& error) {
-    return std::string("facial action map: ") + error.what();
-  }
-  *this = std::move(parsed);
-  return {};
+  });
+  if (fault.empty()) *this = std::move(parsed);
+  return fault;
 }
 
 const CaptureAction* findAction(const std::vector<CaptureAction>& actions, std::string_view name) {

@@ -15,6 +15,7 @@ struct CaptureAction {
   std::vector<int> weak;     ///< those of the FAPs that sources contradict each other in, or only one knows
   bool sided = false;        ///< is written with a column for each side
   bool writtenOnly = false;  ///< repeats what other columns say, and is not read
+  bool standsIn = false;     ///< repeats what other columns say, and is read when those are missing or always 0
 };
 
 /// One side of an action unit: the FAPs of that side, and half of those on the midline, so that both sides are the
@@ -28,7 +29,8 @@ struct FacialActionMap {
 
   std::vector<CaptureAction> actionUnits;  ///< of FACS, by ascending number
   std::vector<CaptureAction> blendshapes;  ///< of ARKit, in the order of Live Link Face
-  std::vector<CaptureAction> rotations;    ///< "HeadYaw" .., "pose_Rx" ..
+  std::vector<CaptureAction> rotations;    ///< "HeadYaw" .., "LeftEyeYaw" .., "pose_Rx" ..
+  int faultLine = 0;                       ///< of the last text, where it is no JSON; 0 for any other fault
 
   /// Replaces the map; on a fault it stays as it was.
   /// @return nothing, or one sentence that names the entry and what is wrong with it

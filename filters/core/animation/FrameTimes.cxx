@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
+#include "Counted.h"
 #include "FAPParser.h"
+#include "FrameNumbers.h"
 #include "NumberText.h"
 
 namespace mien {
@@ -14,6 +17,23 @@ namespace {
 constexpr double largestShare = 0.1;     // of a step that a time may be off the even ones
 constexpr double largestGrowth = 100.0;  // gaps may make this many frames of one
 constexpr double mostFrames = 1e6;
+constexpr double usualRates[] = {24000.0 / 1001.0,
+                                 24.0,
+                                 25.0,
+                                 30000.0 / 1001.0,
+                                 30.0,
+                                 48.0,
+                                 50.0,
+                                 60000.0 / 1001.0,
+                                 60.0,
+                                 90.0,
+                                 100.0,
+                                 120.0,
+                                 240.0};
+// How far a rate may be from a usual one to be taken as it: a time code counts whole frames, and a few of them jitter.
+constexpr double rateTolerance = 0.005, clockTolerance = 0.02;
+constexpr double largestDrift = 1.0;  // frames that a rate may be off at the end of the recording
+constexpr double furthestRow = 0.75;  // frames that a row may be off its own; else the motion is mixed anew in time
 
 /// Rows that bring the time forward.
 std::vector<std::size_t> rowsThatAdvance(const std::vector<double>& seconds) {
@@ -23,47 +43,45 @@ std::vector<std::size_t> rowsThatAdvance(const std::vector<double>& seconds) {
   return rows;
 }
 
-double usualStep(const std::vector<double>& times) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
-  const std::size_t middle = (steps.size() - 1) / 2;  // of two the shorter: the other is a gap
-  std::nth_element(steps.begin(), steps.begin() + middle, steps.end());
-  return steps[middle];
-}
-
-double stepsFrom(double begin, double time, double rate) {
-  return (time - begin) * rate;
-}
-
 /// How far times are from even ones, at most, in s.
 double unevenness(const std::vector<double>& times, double rate) {
   double largest = 0.0;
   for (const double time : times) {
-    const double steps = stepsFrom(times.front(), time, rate);
+    const double steps = (time - times.front()) * rate;
     largest = std::max(largest, std::abs(steps - std::round(steps)) / rate);
   }
   return largest;
 }
 
-/// The usual step averaged over all of them, and a whole or broadcast rate where the times leave room for it.
-double rateOf(const std::vector<double>& times, double clockError) {
-  const double step = usualStep(times);
-  double count = 0.0;
-  for (std::size_t i = 1; i < times.size(); ++i) count += std::max(1.0, std::round((times[i] - times[i - 1]) / step));
-  const double rate = count / (times.back() - times.front());
+std::vector<double> usualRatesOf(double clockRate) {
+  std::vector<double> rates;
+  for (const double frames : {0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
+    if (clockRate > 0.0) rates.push_back(clockRate / frames);
+  if (rates.empty()) rates.assign(std::begin(usualRates), std::end(usualRates));
+  return rates;
+}
+
+/// The usual rate that a measured one stands for, else the measured one, rounded where that makes no difference.
+double roundedRate(double rate, double frames, double clockRate) {
+  const double tolerance = clockRate > 0.0 ? clockTolerance : rateTolerance;
+  const auto drift = [&](double other) { return std::abs(other / rate - 1.0) * frames; };
+  double nearest = 0.0;
+  for (const double usual : usualRatesOf(clockRate))
+    if (nearest == 0.0 || std::abs(usual - rate) < std::abs(nearest - rate)) nearest = usual;
+  if (std::abs(nearest - rate) <= tolerance * nearest && drift(nearest) <= largestDrift) return nearest;
+  const double shorter = std::round(rate * 1e3) / 1e3;
+  return drift(shorter) <= largestShare ? shorter : rate;
+}
+
+/// A whole or broadcast rate where the times leave room for it, else a usual one.
+double rateOf(const std::vector<double>& times, const FrameNumbers& frames, const FrameTimes& clock) {
+  const double rate = 1.0 / frames.step;
   for (const double factor : {1.0, 1000.0 / 1001.0}) {
     const double whole = std::round(rate / factor) * factor;
-    if (whole > 0.0 && unevenness(times, whole) <= std::min(clockError, largestShare / whole)) return whole;
+    const bool isNear = std::abs(whole - rate) <= clockTolerance * rate;
+    if (isNear && unevenness(times, whole) <= std::min(clock.clockError, largestShare / whole)) return whole;
   }
-  return rate;
-}
-
-bool isGap(double step, double rate) {
-  return step * rate > 1.5;
-}
-
-std::string countOf(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+  return roundedRate(rate, frames.numbers.back(), clock.clockRate);
 }
 
 /// A frame at a time between those of the recording.
@@ -92,15 +110,50 @@ FAPMask wholeMask(const FAPSequence& sequence) {
   return all;
 }
 
+/// Mixes all frames anew at even times.
 void fillSteps(const std::vector<double>& times, std::size_t count, FAPSequence& sequence) {
   const FAPMask mask = wholeMask(sequence);
+  const double first = sequence.frames.front().number;
   std::vector<FAPFrame> frames;
   for (std::size_t i = 0; i < count; ++i) {
     frames.push_back(frameAt(sequence, times, times.front() + i / sequence.framesPerSecond));
-    frames.back().number = static_cast<double>(i);
+    frames.back().number = first + static_cast<double>(i);
   }
   sequence.frames = std::move(frames);
   sequence.masks.assign(count, mask);
+}
+
+/// Keeps every frame and mixes those that are missing from the two around.
+void fillGaps(const std::vector<double>& numbers, bool hasNumbers, FAPSequence& sequence) {
+  const FAPMask mask = wholeMask(sequence);
+  std::vector<double> places;
+  for (double number = 0.0; number <= numbers.back(); number += 1.0) places.push_back(number);
+  std::vector<FAPFrame> frames;
+  for (const double place : places) {
+    frames.push_back(frameAt(sequence, numbers, place));
+    if (!hasNumbers) frames.back().number = place;
+  }
+  sequence.frames = std::move(frames);
+  sequence.masks.assign(places.size(), mask);
+}
+
+/// Steps over frames that nothing else in the file explains, and the row after the longest.
+struct Gaps {
+  std::size_t count = 0, longest = 1;
+};
+
+Gaps gapsOf(const FrameNumbers& frames, const std::vector<std::size_t>& rows, const std::vector<int>& lostBefore) {
+  Gaps gaps;
+  double longest = 0.0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double missing = frames.numbers[i] - frames.numbers[i - 1] - 1.0;
+    const double lost = lostBefore.empty() ? 0.0 : lostBefore[rows[i]];
+    gaps.count += missing > lost;
+    if (missing <= longest) continue;
+    longest = missing;
+    gaps.longest = i;
+  }
+  return gaps;
 }
 
 }  // namespace
@@ -113,40 +166,46 @@ std::optional<FAPParseError> FrameTimes::place(FAPSequence& sequence) const {
   if (rows.size() < 2) return std::nullopt;
   std::vector<double> times;
   for (const std::size_t row : rows) times.push_back(seconds[row]);
-  const double rate = rateOf(times, clockError);
+  const FrameNumbers frames = FrameNumbers::of(times, clockRate);
+  const Gaps gaps = gapsOf(frames, rows, lostBefore);
+  const double rate = rateOf(times, frames, *this);
   if (!(rate >= slowestFAPRate && rate <= fastestFAPRate))
     return FAPParseError{lines[rows[1]],
                          "the times ask for " + std::to_string(rate) + " frames per second; give times in s"};
-  const double count = std::round(stepsFrom(times.front(), times.back(), rate)) + 1.0;
-  std::size_t gaps = 0, longest = 1;
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    gaps += isGap(times[i] - times[i - 1], rate);
-    if (times[i] - times[i - 1] > times[longest] - times[longest - 1]) longest = i;
-  }
-  if (count > mostFrames || count > largestGrowth * times.size())
-    return FAPParseError{lines[rows[longest]], "the time jumps too far to be filled; split the file here"};
-  const int line = lines[rows[longest]];
+  const double count = frames.numbers.back() + 1.0;
+  const double evenCount = std::round((times.back() - times.front()) * rate) + 1.0;
+  const int line = lines[rows[gaps.longest]];
+  if (std::max(count, evenCount) > std::min(mostFrames, largestGrowth * times.size()))
+    return FAPParseError{line, "the time jumps too far to be filled; split the file here"};
   if (rows.size() < seconds.size())
     sequence.warnings.push_back(
-        {lines.front(), countOf(seconds.size() - rows.size(), "row") + " repeat a time and are left out"});
+        {lines.front(), "rows that repeat a time are left out: " + std::to_string(seconds.size() - rows.size())});
   keepRows(rows, sequence);
   sequence.framesPerSecond = rate;
   sequence.rateIsAssumed = false;
-  const bool even = gaps == 0 && count == static_cast<double>(times.size());
-  if (!even || unevenness(times, rate) > 0.5 / rate - clockError) {
-    fillSteps(times, static_cast<std::size_t>(count), sequence);
-    sequence.warnings.push_back({line, "the frames are not evenly timed (" + countOf(gaps, "gap") +
+  const bool wanders = frames.largestJitter > furthestRow;
+  if (wanders)
+    fillSteps(times, static_cast<std::size_t>(evenCount), sequence);
+  else if (count > static_cast<double>(times.size()))
+    fillGaps(frames.numbers, hasNumbers, sequence);
+  if (wanders || gaps.count > 0)
+    sequence.warnings.push_back({line, "the frames are not evenly timed (" + counted(gaps.count, "gap") +
                                            "); frames between them are mixed from those around"});
-  }
   return std::nullopt;
 }
 
-FAPSequence resampled(const FAPSequence& sequence, double framesPerSecond) {
+std::string describeAssumedRate(bool hasTime) {
+  return hasTime ? "a single time tells no rate; 25 frames per second are assumed"
+                 : "there is no time; 25 frames per second are assumed";
+}
+
+std::optional<FAPSequence> resampled(const FAPSequence& sequence, double framesPerSecond) {
+  const double count = std::floor(sequence.duration() * framesPerSecond + 1e-6) + 1.0;
+  if (!(count <= mostFrames)) return std::nullopt;
   FAPSequence result = sequence;
   result.framesPerSecond = framesPerSecond;
   result.rateIsAssumed = false;
   result.frames.clear();
-  const double count = std::min(std::floor(sequence.duration() * framesPerSecond + 1e-6) + 1.0, mostFrames);
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     result.frames.push_back(sequence.frameAtTime(i / framesPerSecond, true));
     result.frames.back().number = static_cast<double>(i);

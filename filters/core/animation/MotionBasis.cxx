@@ -41,12 +41,13 @@ bool movesOneSide(const AnimationPart& part, const std::vector<ContactPair>& con
   return std::any_of(contacts.begin(), contacts.end(), [&](const auto& c) { return has(c.upper) != has(c.lower); });
 }
 
-/// How far a curve between a moved one and a resting one follows: linear in its height, so that the curves
-/// between them keep their order however far the one moves towards the other.
-double followerShare(const ClosedCurves& curves, int moved, int resting, int curve, int j) {
+/// How far a curve between a moved one and a resting one follows, by its height.
+double followerShare(const ClosedCurves& curves, FollowerShape shape, int moved, int resting, int curve, int j) {
   const double from = curves.curve(resting)(j, 1), to = curves.curve(moved)(j, 1);
-  if (std::abs(to - from) < 1e-6) return double(curve - resting) / (moved - resting);
-  return std::clamp((curves.curve(curve)(j, 1) - from) / (to - from), 0.0, 1.0);
+  const bool apart = std::abs(to - from) >= 1e-6;
+  const double share = apart ? std::clamp((curves.curve(curve)(j, 1) - from) / (to - from), 0.0, 1.0)
+                             : double(curve - resting) / (moved - resting);
+  return shape == FollowerShape::Smooth ? share * share * (3.0 - 2.0 * share) : share;
 }
 
 /// The weights of a part on any curve: its own, those that follow, or 0.
@@ -57,8 +58,8 @@ Eigen::VectorXd weightsOnCurve(const AnimationPart& part, const Eigen::VectorXd&
   const bool follows = (curve < first && part.above >= 0 && curve > part.above) || (curve > last && curve < part.below);
   Eigen::VectorXd result = Eigen::VectorXd::Zero(weights.size());
   for (int j = 0; follows && j < weights.size(); ++j)
-    result[j] = weights[j] * (curve < first ? followerShare(curves, first, part.above, curve, j)
-                                            : followerShare(curves, last, part.below, curve, j));
+    result[j] = weights[j] * (curve < first ? followerShare(curves, part.follow, first, part.above, curve, j)
+                                            : followerShare(curves, part.follow, last, part.below, curve, j));
   return result;
 }
 
@@ -171,7 +172,22 @@ int MotionBasis::groupNumber(const std::string& name) {
   return number;
 }
 
-/// Adds the displacement field of one part to the motion; `slopes` are mm for one FAP value, a row per interval.
+/// Leaves out the samples that no interval moves: from a row for every sample to one for every sample moved.
+void MotionBasis::keepMovedRows(FAPMotion& motion) {
+  const Eigen::Index samples = motion.perValue.front().rows();
+  for (Eigen::Index row = 0; row < samples; ++row) {
+    const auto moves = [row](const ClosedCurves::Points& field) { return !field.row(row).isZero(0.0); };
+    if (std::any_of(motion.perValue.begin(), motion.perValue.end(), moves))
+      motion.rows.push_back(static_cast<int>(row));
+  }
+  for (ClosedCurves::Points& field : motion.perValue) {
+    ClosedCurves::Points kept(motion.rows.size(), 3);
+    for (size_t i = 0; i < motion.rows.size(); ++i) kept.row(i) = field.row(motion.rows[i]);
+    field = std::move(kept);
+  }
+}
+
+/// Adds the displacements of one part to those of every sample; `slopes` are mm for one FAP value, a row per interval.
 void MotionBasis::addPart(const BoundPart& part, const ClosedCurves& curves, const ClosedCurves::Points& slopes,
                           FAPMotion& motion) {
   const int k = curves.pointsPerCurve;
@@ -181,12 +197,7 @@ void MotionBasis::addPart(const BoundPart& part, const ClosedCurves& curves, con
     weights_.try_emplace({motion.fap, curve}, Eigen::VectorXd::Zero(k)).first->second += weights;
     for (int j = 0; j < k; ++j) {
       if (weights[j] == 0.0) continue;
-      motion.rows.push_back(curve * k + j);
-      for (int i = 0; i < slopes.rows(); ++i) {
-        ClosedCurves::Points& field = motion.perValue[i];
-        field.conservativeResize(motion.rows.size(), 3);
-        field.row(field.rows() - 1) = weights[j] * slopes.row(i);
-      }
+      for (int i = 0; i < slopes.rows(); ++i) motion.perValue[i].row(curve * k + j) += weights[j] * slopes.row(i);
       if (motion.group >= 0 && part.moves(curve)) pointsOfGroup_[motion.group].push_back(curve * k + j);
     }
   }
@@ -196,13 +207,14 @@ void MotionBasis::buildMotion(const AnimationEntry& entry, const BoundParts& par
                               double unit) {
   const int intervals = entry.intervals.intervals();
   FAPMotion motion{entry.fap, groupNumber(entry.group), entry.intervals, {}, {}, {}};
-  motion.perValue.resize(intervals);
+  motion.perValue.assign(intervals, ClosedCurves::Points::Zero(curves.points.rows(), 3));
   for (const BoundPart& part : parts) {
     if (part.entry != &entry) continue;
     ClosedCurves::Points slopes(intervals, 3);
     for (int i = 0; i < intervals; ++i) slopes.row(i) = unit * part.part->slopes[i].transpose();
     addPart(part, curves, slopes, motion);
   }
+  keepMovedRows(motion);
   if (!motion.rows.empty()) motions_.push_back(std::move(motion));
 }
 

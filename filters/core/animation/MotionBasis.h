@@ -58,6 +58,7 @@ class MotionBasis {
   void buildMotion(const AnimationEntry& entry, const BoundParts& parts, const ClosedCurves& curves, double unit);
   void addPart(const BoundPart& part, const ClosedCurves& curves, const ClosedCurves::Points& slopes,
                FAPMotion& motion);
+  static void keepMovedRows(FAPMotion& motion);
   int groupNumber(const std::string& name);
 
   std::vector<FAPMotion> motions_;

@@ -1,5 +1,6 @@
 #include "TimeCode.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -15,6 +16,11 @@ std::vector<std::string_view> splitAt(std::string_view text, char separator) {
     parts.push_back(text.substr(0, end));
   parts.push_back(text);
   return parts;
+}
+
+std::string padded(long long number, std::size_t digits) {
+  const std::string text = std::to_string(number);
+  return std::string(digits - std::min(digits, text.size()), '0') + text;
 }
 
 bool isWhole(double number) {
@@ -52,6 +58,14 @@ double rateOfTimeCodes(double largestFrame, bool dropsNumbers) {
   for (const double usual : {240.0, 120.0, 100.0, 60.0, 50.0, 48.0, 30.0, 25.0, 24.0})
     if (usual > std::floor(largestFrame) + 0.5) rate = usual;
   return dropsNumbers ? rate * 1000.0 / 1001.0 : rate;
+}
+
+std::string timeCodeText(double time) {
+  constexpr long long rate = writtenTimeCodeRate;
+  const auto thousandths = static_cast<long long>(std::llround(time * rate * 1000.0));
+  const long long frames = thousandths / 1000, seconds = frames / rate;
+  return padded(seconds / 3600 % 24, 2) + ":" + padded(seconds / 60 % 60, 2) + ":" + padded(seconds % 60, 2) + ":" +
+         padded(frames % rate, 2) + "." + padded(thousandths % 1000, 3);
 }
 
 double secondsOf(const TimeCode& code, double rate) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace mien {
@@ -20,5 +21,9 @@ double rateOfTimeCodes(double largestFrame, bool dropsNumbers);
 
 /// The time in s since midnight. Where numbers are dropped, that is two per minute but every tenth at 30 per second.
 double secondsOf(const TimeCode& code, double rate);
+
+/// "HH:MM:SS:FF.fff" at 60 frames per second, of a time in s since midnight; thousandths of a frame, the day wraps.
+constexpr int writtenTimeCodeRate = 60;
+std::string timeCodeText(double seconds);
 
 }  // namespace mien

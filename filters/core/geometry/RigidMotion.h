@@ -21,4 +21,11 @@ struct RigidMotion {
 /// reflection. Both have the same rows; without rows the result moves nothing.
 RigidMotion fitRigidMotion(const ClosedCurves::Points& from, const ClosedCurves::Points& to);
 
+/// The rigid motion of the part of a surface that keeps its shape, whatever the rest does: iteratively reweighted least
+/// squares with the weights of Geman and McClure [1985], 1 / (1 + (r / s)^2)^2 for a distance r. The scale s is in each
+/// round the distance that a quarter of the points keep, so that it shrinks to the noise of the stillest quarter. It is
+/// begun from no motion and from fitRigidMotion(); the result whose stillest quarter is nearer is taken, no motion
+/// first. Nothing is random.
+RigidMotion fitStillPart(const ClosedCurves::Points& from, const ClosedCurves::Points& to);
+
 }  // namespace mien

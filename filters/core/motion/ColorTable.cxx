@@ -47,6 +47,15 @@ constexpr Samples plasma = {0x0d0887, 0x1b068d, 0x260591, 0x2f0596, 0x38049a, 0x
                             0xf3854b, 0xf58c46, 0xf79342, 0xf99a3e, 0xfba139, 0xfca835, 0xfdaf31, 0xfeb72d, 0xfebe2a,
                             0xfdc627, 0xfcce25, 0xfbd724, 0xf8df25, 0xf6e826, 0xf3f027, 0xf0f921};
 
+// The smooth diverging map of Moreland (Diverging Color Maps for Scientific Visualization, ISVC 2009): from (59, 76,
+// 192) over (221, 221, 221) to (180, 4, 38), linear in his Msh space.
+constexpr Samples coolwarm = {0x3b4cc0, 0x4155c8, 0x475dcf, 0x4d66d6, 0x536edd, 0x5977e2, 0x5f7fe8, 0x6687ed, 0x6d8ef1,
+                              0x7396f5, 0x7a9df8, 0x81a4fb, 0x88abfd, 0x8fb1fe, 0x96b7ff, 0x9dbdff, 0xa3c2fe, 0xaac7fd,
+                              0xb1cbfc, 0xb7cff9, 0xbed3f6, 0xc4d6f3, 0xcad8ef, 0xd0daea, 0xd5dbe5, 0xdadce0, 0xdfdcd9,
+                              0xe5d9d2, 0xe9d6cb, 0xedd2c3, 0xf0cebc, 0xf3c9b4, 0xf5c4ac, 0xf6bea4, 0xf7b89c, 0xf7b294,
+                              0xf7ab8c, 0xf6a385, 0xf59c7d, 0xf39475, 0xf08b6e, 0xed8366, 0xea7a5f, 0xe57058, 0xe16751,
+                              0xdc5d4a, 0xd65243, 0xd0473d, 0xca3b37, 0xc32e31, 0xbc1e2b, 0xb40426};
+
 double part(int color, int shift) {
   return ((color >> shift) & 0xff) / 255.0;
 }
@@ -66,8 +75,9 @@ ColorTable::Rgb ColorTable::at(double t) const {
 }
 
 const std::vector<ColorTable>& ColorTable::all() {
-  static const std::vector<ColorTable> tables = {
-      {"viridis", &viridis}, {"cividis", &cividis}, {"magma", &magma}, {"inferno", &inferno}, {"plasma", &plasma}};
+  static const std::vector<ColorTable> tables = {{"viridis", &viridis}, {"cividis", &cividis},
+                                                 {"magma", &magma},     {"inferno", &inferno},
+                                                 {"plasma", &plasma},   {"coolwarm", &coolwarm, true}};
   return tables;
 }
 

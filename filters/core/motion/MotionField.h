@@ -21,9 +21,10 @@ struct MotionField {
   int columns = 0;             ///< of a grid, whose rows follow each other; 0 for other meshes
   std::vector<std::array<int, 2>> patches;  ///< lowest and highest patch around each origin, 0 .. 8; empty: no patches
 
-  TriangleMesh surface;       ///< wound outwards; may be finer than the origins
-  Points surfaceNormals;      ///< of its vertices
-  std::vector<Points> seams;  ///< lines between patches
+  TriangleMesh surface;           ///< wound outwards; may be finer than the origins
+  Points surfaceNormals;          ///< of its vertices
+  std::vector<Points> seams;      ///< lines between patches
+  std::vector<Points> landmarks;  ///< lids, brows, nose and lips; empty for meshes that are no face
 
   Eigen::VectorXd magnitudes() const { return vectors.rowwise().norm(); }
 };

@@ -4,6 +4,7 @@
 
 #include "SurfaceContour.h"
 #include "SurfaceOcclusion.h"
+#include "VectorScale.h"
 
 namespace mien {
 
@@ -44,12 +45,13 @@ void appendParts(const Places& places, std::vector<bool> seen, std::vector<Line>
 class PictureMaker {
  public:
   PictureMaker(const MotionField& field, const VectorPictureOptions& options)
-      : field_(field), options_(options), occlusion_(field.surface, options.plane) {}
+      : field_(field), options_(options), occlusion_(field.surface, options.plane), places_(projected(field.origins)) {}
 
   VectorPicture make() {
     addLines();
-    addArrows();
+    findCandidates();
     chooseFrame();
+    addArrows();
     return std::move(picture_);
   }
 
@@ -79,22 +81,38 @@ class PictureMaker {
     for (const auto& lines :
          {silhouettes(surface, field_.surfaceNormals, options_.plane), borders(surface, field_.surfaceNormals)})
       for (const ContourLine& line : lines) addLine(line.points, line.points + lift * line.normals, picture_.outline);
-    for (const MotionField::Points& seam : field_.seams)
-      addLine(seam, seam.rowwise() + lift * options_.plane.out.transpose(), picture_.seams);
+    for (const MotionField::Points& seam : field_.seams) addLineAbove(seam, picture_.seams);
+    for (const MotionField::Points& line : field_.landmarks) addLineAbove(line, picture_.landmarks);
+  }
+
+  void addLineAbove(const MotionField::Points& line, std::vector<Line>& lines) const {
+    addLine(line, line.rowwise() + lift * options_.plane.out.transpose(), lines);
+  }
+
+  void findCandidates() {
+    for (int i = 0; i < field_.origins.rows(); ++i)
+      if (options_.region.contains(field_, i, options_.plane) && isSeen(i)) candidates_.push_back(i);
+    for (const int i : candidates_) picture_.tails.extend(Eigen::Vector2d(places_.row(i)));
+  }
+
+  void chooseSampling() {
+    picture_.sampling = options_.sampling;
+    if (picture_.sampling.kind != VectorSampling::Kind::Automatic) return;
+    picture_.sampling.kind = VectorSampling::Kind::Even;
+    const Eigen::Vector2d size = picture_.frame.isEmpty() ? Eigen::Vector2d(1.0, 1.0) : picture_.frame.sizes();
+    const double faceScale = (options_.paper.array() / size.array().max(1e-6)).minCoeff();
+    picture_.sampling.spacing = std::max(VectorSampling::leastSpacing, automaticSpacing(printedSpacing, faceScale));
   }
 
   void addArrows() {
-    const Places places = projected(field_.origins), moves = projected(field_.vectors);
+    chooseSampling();
+    const Places moves = projected(field_.vectors);
     const Eigen::VectorXd magnitudes = field_.magnitudes();
-    std::vector<int> candidates;
-    for (int i = 0; i < field_.origins.rows(); ++i)
-      if (options_.region.contains(field_, i, options_.plane) && isSeen(i)) candidates.push_back(i);
-    for (const int i : candidates) picture_.tails.extend(Eigen::Vector2d(places.row(i)));
-    picture_.chosen = options_.sampling.choose(candidates, places, field_.columns);
+    picture_.chosen = picture_.sampling.choose(candidates_, places_, field_.columns);
     for (const int i : picture_.chosen) {
       const double towards = field_.vectors.row(i).dot(options_.plane.out);
       if (magnitudes[i] > leastMotion)
-        picture_.arrows.push_back({places.row(i), moves.row(i), magnitudes[i], towards, i});
+        picture_.arrows.push_back({places_.row(i), moves.row(i), magnitudes[i], towards, i});
       else
         ++picture_.still;
     }
@@ -119,6 +137,8 @@ class PictureMaker {
   const MotionField& field_;
   const VectorPictureOptions& options_;
   SurfaceOcclusion occlusion_;
+  Places places_;                ///< of the vectors' origins in the picture
+  std::vector<int> candidates_;  ///< vectors of the region that are seen
   VectorPicture picture_;
 };
 

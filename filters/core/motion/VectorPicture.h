@@ -14,8 +14,9 @@ struct VectorPictureOptions {
   PicturePlane plane;
   VectorRegion region;
   VectorSampling sampling;
-  bool hidden = false;      ///< whether what the surface hides is drawn too
-  bool wholeFrame = false;  ///< whether a region is shown within the whole surface
+  Eigen::Vector2d paper = {80.0, 120.0};  ///< mm, the room of the picture in print, for automatic sampling
+  bool hidden = false;                    ///< whether what the surface hides is drawn too
+  bool wholeFrame = false;                ///< whether a region is shown within the whole surface
 };
 
 /// One vector in the picture, mm on the face.
@@ -33,7 +34,9 @@ struct VectorPicture {
   std::vector<PictureArrow> arrows;  ///< those that move, the smallest first
   std::vector<int> chosen;           ///< vectors of the region that are seen and sampled, moving or not; ascending
   int still = 0;                     ///< vectors that were chosen but do not move
+  VectorSampling sampling;           ///< as it was done; never automatic
   std::vector<Line> outline, seams;  ///< parts that are seen
+  std::vector<Line> landmarks;       ///< lids, brows, nose and lips, parts that are seen
   Eigen::AlignedBox2d frame;         ///< what the picture shows
   Eigen::AlignedBox2d tails;         ///< around the origins in the region
 
@@ -43,6 +46,9 @@ struct VectorPicture {
 
 /// A motion of less (mm) is none: rounding of points in single precision after a turned head is 1e-5 mm.
 constexpr double leastMotion = 1e-4;
+
+/// Distance in print between arrows of automatic sampling, mm.
+constexpr double printedSpacing = 2.4;
 
 VectorPicture drawnVectors(const MotionField& field, const VectorPictureOptions& options);
 

@@ -79,13 +79,17 @@ std::vector<int> evenly(const std::vector<int>& candidates, const Places& places
 }  // namespace
 
 std::string VectorSampling::parse(const std::string& text) {
+  if (text == "auto") {
+    kind = Kind::Automatic;
+    return {};
+  }
   const size_t colon = text.find(':');
   const std::string kindName = text.substr(0, colon);
   std::string value = colon == std::string::npos ? "" : text.substr(colon + 1);
   if (kindName == "even" && value.size() > 2 && value.substr(value.size() - 2) == "mm") value.resize(value.size() - 2);
   const auto number = parseNumber(value);
   if ((kindName != "every" && kindName != "even") || !number)
-    return "sampling '" + text + "' is unknown; write every:N (every N-th vertex) or even:SPACING (mm)";
+    return "sampling '" + text + "' is unknown; write auto, every:N (every N-th vertex) or even:SPACING (mm)";
   if (kindName == "every" && !(*number >= 1.0 && *number <= largestStep && std::floor(*number) == *number))
     return "sampling '" + text + "' counts no vertices; N is a whole number from 1 up";
   if (kindName == "even" && !(*number >= leastSpacing && *number <= largestSpacing))
@@ -97,6 +101,7 @@ std::string VectorSampling::parse(const std::string& text) {
 }
 
 std::string VectorSampling::text() const {
+  if (kind == Kind::Automatic) return "auto";
   std::string number;
   appendNumber(number, kind == Kind::Every ? step : spacing);
   return (kind == Kind::Every ? "every:" : "even:") + number;
@@ -104,11 +109,12 @@ std::string VectorSampling::text() const {
 
 std::string VectorSampling::description() const {
   if (kind == Kind::Even) return "vectors " + text().substr(5) + " mm apart";
-  return step == 1 ? "all vertices" : "one of " + std::to_string(step) + " vertices";
+  return kind == Kind::Automatic || step == 1 ? "all vertices" : "one of " + std::to_string(step) + " vertices";
 }
 
 std::vector<int> VectorSampling::choose(const std::vector<int>& candidates, const Places& places, int columns) const {
   if (kind == Kind::Even) return evenly(candidates, places, spacing);
+  if (kind == Kind::Automatic) return candidates;
   const auto isLeftOut = [&](int vertex) {
     const int row = columns > 0 ? vertex / columns : 0, column = columns > 0 ? vertex % columns : vertex;
     return (column + row) % step != 0;

@@ -9,8 +9,9 @@ namespace mien {
 /// Which of many vectors are drawn.
 struct VectorSampling {
   enum class Kind {
-    Every,  ///< every `step`-th vertex; in a grid of each row, rows staggered
-    Even    ///< evenly in the picture, `spacing` apart
+    Automatic,  ///< in a picture evenly, at a distance that suits its printed size; in a table all vertices
+    Every,      ///< every `step`-th vertex; in a grid of each row, rows staggered
+    Even        ///< evenly in the picture, `spacing` apart
   };
   static constexpr int largestStep = 1000000;
   static constexpr double leastSpacing = 0.1, largestSpacing = 1000.0;  ///< mm
@@ -19,7 +20,7 @@ struct VectorSampling {
   int step = 1;
   double spacing = 5.0;  ///< mm on the face as it is seen
 
-  /// "every:N" or "even:SPACING", the spacing in mm.
+  /// "auto", "every:N" or "even:SPACING", the spacing in mm.
   /// @return nothing, or one sentence that says what is wrong; the sampling is then as it was
   std::string parse(const std::string& text);
   std::string text() const;         ///< as parse() reads it

@@ -7,6 +7,9 @@ namespace mien {
 
 std::string PiecewiseLinear::setBorders(const std::vector<double>& borders) {
   if (borders.size() < 2) return "borders need at least two values";
+  if (borders.size() > mostBorders)
+    return "there are " + std::to_string(borders.size()) + " borders; at most " + std::to_string(mostBorders) +
+           " are read";
   if (!std::all_of(borders.begin(), borders.end(), [](double b) { return std::isfinite(b); }))
     return "borders must be finite numbers";
   if (std::adjacent_find(borders.begin(), borders.end(), [](double a, double b) { return !(a < b); }) != borders.end())

@@ -11,6 +11,8 @@ namespace mien {
 /// slope x the part reached for the last. Beyond the outer borders the outer slope goes on.
 class PiecewiseLinear {
  public:
+  static constexpr std::size_t mostBorders = 64;  ///< every interval keeps a field of displacements
+
   PiecewiseLinear() = default;
 
   /// @return nothing, or one sentence that says what is wrong with the borders

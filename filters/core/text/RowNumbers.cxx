@@ -24,7 +24,7 @@ std::string describeUnused(const std::vector<std::string>& names) {
   std::string text = names.size() == 1 ? "column " : "columns ";
   for (std::size_t i = 0; i < std::min(names.size(), mostNames); ++i) text += (i ? ", " : "") + inQuotes(names[i]);
   if (names.size() > mostNames) text += " and " + std::to_string(names.size() - mostNames) + " more";
-  return text + (names.size() == 1 ? " moves no FAP and is left out" : " move no FAP and are left out");
+  return text + (names.size() == 1 ? " is not used" : " are not used");
 }
 
 std::string describeWidth(const CommaReader& reader) {

@@ -12,7 +12,7 @@ namespace mien {
 /// finite number is one: it names the column and what to do.
 std::optional<double> numberIn(const CommaReader& reader, std::size_t column, std::string& fault);
 
-/// "columns 'a', 'b' and 7 more are not known and left out", for names that are not used; nothing for none.
+/// "columns 'a', 'b' and 7 more are not used"; nothing for none.
 std::string describeUnused(const std::vector<std::string>& names);
 
 /// Why a row does not fit its header, or nothing.
