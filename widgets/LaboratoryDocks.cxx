@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ContinuityPanel.h"
+#include "CurvePanel.h"
 #include "DeformationPanel.h"
 #include "FAPPlotPanel.h"
 #include "FaceView.h"
@@ -36,6 +37,7 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
   add("deformationDock", tr("Deformation"), new DeformationPanel(model, view));
+  add("curvesDock", tr("Curves"), new CurvePanel(model));
   giveHeight(add("textureDock", tr("Texture"), new TexturePanel(model, view)));
 }
 
