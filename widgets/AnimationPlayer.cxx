@@ -23,6 +23,7 @@ AnimationPlayer::AnimationPlayer(FaceModel* model, QObject* parent)
   connect(timer_, &QTimer::timeout, this, &AnimationPlayer::tick);
   connect(model_, &FaceModel::animationChanged, this, &AnimationPlayer::pause);
   connect(model_, &FaceModel::animationChanged, this, &AnimationPlayer::resetRange);
+  connect(model_, &FaceModel::animationGrew, this, &AnimationPlayer::growRange);
   connect(model_, &FaceModel::updated, this, &AnimationPlayer::measureRate);
 }
 
@@ -34,8 +35,14 @@ void AnimationPlayer::resetRange() {
   setRange(0, model_->frameCount() - 1);
 }
 
+/// An end that the user has set stays; one that is the animation's moves with it.
+void AnimationPlayer::growRange() {
+  setRange(begin_, end_ + 1 < known_ ? end_ : model_->frameCount() - 1);
+}
+
 void AnimationPlayer::setRange(int begin, int end) {
-  const int last = std::max(0, model_->frameCount() - 1);
+  known_ = model_->frameCount();
+  const int last = std::max(0, known_ - 1);
   begin_ = std::clamp(std::min(begin, end), 0, last);
   end_ = std::clamp(std::max(begin, end), 0, last);
   emit rangeChanged();

@@ -41,13 +41,14 @@ class AnimationPlayer : public QObject {
   void start(double frame);
   void measureRate();
   void resetRange();
+  void growRange();
   int waitFor(double position) const;
 
   FaceModel* model_;
   QTimer* timer_;
   QElapsedTimer clock_, rateClock_;
   double firstFrame_ = 0.0, speed_ = 1.0;
-  int begin_ = 0, end_ = 0, shown_ = 0;
+  int begin_ = 0, end_ = 0, shown_ = 0, known_ = 0;  ///< known_: frames of which the range is one
   bool playing_ = false, loops_ = true;
 };
 

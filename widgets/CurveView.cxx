@@ -6,8 +6,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkScalarBarActor.h>
-#include <vtkTextProperty.h>
 
 #include "FaceModel.h"
 #include "Theme.h"
@@ -44,7 +42,6 @@ CurveView::CurveView(FaceModel* model, QWidget* parent) : RenderView(model, pare
   addSkin();
   addNeutral();
   addCurves();
-  addScale();
   dress();
 }
 
@@ -89,24 +86,6 @@ void CurveView::addSkin() {
   renderer()->AddActor(skin_);
 }
 
-void CurveView::addScale() {
-  scale_->SetLookupTable(colors_);
-  scale_->SetTitle("moved by (mm)");
-  scale_->SetOrientationToHorizontal();
-  scale_->SetNumberOfLabels(2);
-  scale_->SetLabelFormat("%.0f");
-  scale_->SetPosition(0.2, 0.01);
-  scale_->SetPosition2(0.6, 0.07);
-  scale_->UnconstrainedFontSizeOn();
-  for (vtkTextProperty* text : {scale_->GetTitleTextProperty(), scale_->GetLabelTextProperty()}) {
-    text->SetFontSize(11);
-    text->ItalicOff();
-    text->BoldOff();
-    text->ShadowOff();
-  }
-  renderer()->AddActor2D(scale_);
-}
-
 void CurveView::dress() {
   const Theme& theme = Theme::current();
   for (int i = 0; i < colorSteps; ++i) {
@@ -120,8 +99,6 @@ void CurveView::dress() {
   setColor(lines_->GetProperty(), theme.curve);
   setColor(points_->GetProperty(), theme.curve);
   setColor(skin_->GetProperty(), theme.viewBottom);
-  for (vtkTextProperty* text : {scale_->GetTitleTextProperty(), scale_->GetLabelTextProperty()})
-    text->SetColor(theme.text.redF(), theme.text.greenF(), theme.text.blueF());
 }
 
 void CurveView::setPointsVisible(bool visible) {

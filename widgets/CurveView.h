@@ -4,7 +4,6 @@
 
 class vtkActor;
 class vtkLookupTable;
-class vtkScalarBarActor;
 
 namespace mien {
 
@@ -27,12 +26,10 @@ class CurveView : public RenderView {
   void addCurves();
   void addNeutral();
   void addSkin();
-  void addScale();
   void dress();
 
   vtkNew<vtkLookupTable> colors_;
   vtkNew<vtkActor> lines_, points_, neutral_, skin_;
-  vtkNew<vtkScalarBarActor> scale_;
 };
 
 }  // namespace mien

@@ -116,21 +116,8 @@ void DeformationChoice::setPercent(int percent) {
   model_->change([percent](FaceState& state) { state.deformation.strength = percent / percentOfAll; });
 }
 
-/// Read here first, so that a file with a fault does not become an entry of the list. One that is open already goes
-/// away and comes back, as it may have changed on disk.
 bool DeformationChoice::open(const QString& fileName) {
-  DeformationTable table;
-  const std::string fault = readNamedTable(fileName.toStdString(), table);
-  if (!fault.empty()) {
-    emit model_->failed(QString::fromStdString(fault), tr("The face is as it was before."));
-    return false;
-  }
-  const auto choose = [this](const std::string& name) {
-    model_->change([&](FaceState& state) { state.deformation.table = name; });
-    return model_->update();
-  };
-  if (model_->state().deformation.table == fileName.toStdString()) choose({});
-  return choose(fileName.toStdString());
+  return model_->openDeformationTable(fileName);
 }
 
 int DeformationChoice::rowOf(const QString& table) {

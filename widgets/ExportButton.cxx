@@ -58,7 +58,7 @@ std::string ExportButton::writeFigure(const std::string& fileName) const {
   if (!drawing.paint) return fileName + ": there is no figure yet to write; wait until it is shown";
   FigureFile file(fileName);
   file.setTitle(drawing.title);
-  file.setDescription(writeFaceState(model_->state()) + drawing.description);
+  file.setDescription(writeFaceState(model_->lastingState()) + drawing.description);
   return file.write(drawing.size, drawing.paint);
 }
 

@@ -5,6 +5,7 @@
 
 #include "ExpressionRow.h"
 #include "FaceModel.h"
+#include "VisemePanel.h"
 #include "vtkFAPAnimationFilter.h"
 
 namespace mien {
@@ -29,6 +30,7 @@ ExpressionPanel::ExpressionPanel(FaceModel* model, QWidget* parent) : QWidget(pa
   column->setContentsMargins(8, 2, 8, 8);
   column->setSpacing(2);
   for (const std::string& name : vtkFAPAnimationFilter::GetExpressionNames()) addRow(QString::fromStdString(name));
+  column->addWidget(new VisemePanel(model_, this));
   connect(model_, &FaceModel::stateChanged, this, &ExpressionPanel::follow);
   follow();
 }

@@ -8,7 +8,8 @@ namespace mien {
 class ExpressionRow;
 class FaceModel;
 
-/// What do expressions look like, alone and mixed? The six of MPEG-4, each as strong as wanted.
+/// What do expressions look like, alone and mixed? The six of MPEG-4, each as strong as wanted, and below them what the
+/// mouth says.
 class ExpressionPanel : public QWidget {
   Q_OBJECT
  public:

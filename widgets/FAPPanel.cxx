@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QToolButton>
@@ -116,16 +117,22 @@ QWidget* FAPPanel::searchField() {
 }
 
 void FAPPanel::addTab(int group, const QString& title) {
-  auto* page = new QWidget(pages_);
+  auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(2, 8, 2, 2);
+  column->setContentsMargins(2, 4, 2, 2);
   column->setSpacing(7);
   auto* rows = new QVBoxLayout;
-  rows->setSpacing(4);
+  rows->setSpacing(1);
   column->addLayout(rows);
   column->addStretch();
   tabColumns_.insert(group, rows);
-  pages_->addWidget(page);
+  auto* scroll = new QScrollArea(pages_);  // a low screen must hold the docks above and below
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(page);
+  pages_->addWidget(scroll);
   tabs_->addTab(title);
 }
 

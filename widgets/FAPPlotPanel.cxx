@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPixmap>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -33,11 +34,24 @@ constexpr int listWidth = 290;        // pixels: the longest name
 constexpr double zoomStep = 1.6;      // of a button
 constexpr double fewestFrames = 4.0;  // in the plot
 constexpr double headRadius = 100.0;  // mm: what an angle of the head moves, to compare it with distances
+constexpr int growthWait = 200;       // ms between pictures of a stream that grows
 constexpr int swatchWidth = 34, swatchHeight = 12;
 constexpr double swatchScale = 0.045;  // pixels per figure unit
 
 int fapOf(const QListWidgetItem* item) {
   return item->data(Qt::UserRole).toInt();
+}
+
+/// A FAP that is plotted like others but does nothing here.
+void markAsStill(QListWidgetItem* item, const FAPDefinition& fap) {
+  item->setText(item->text() +
+                (fap.hasSurface ? FAPPlotPanel::tr(" (not in the table)") : FAPPlotPanel::tr(" (no surface)")));
+  QFont font = item->font();
+  font.setItalic(true);
+  item->setFont(font);
+  item->setToolTip(item->toolTip() +
+                   (fap.hasSurface ? FAPPlotPanel::tr("<br>The animation table has no entry for it: nothing moves")
+                                   : FAPPlotPanel::tr("<br>This face has no surface for it: nothing moves")));
 }
 
 /// How far the values of one FAP reach from each other.
@@ -83,15 +97,18 @@ FAPPlotPanel::FAPPlotPanel(FaceModel* model, AnimationPlayer* player, QWidget* p
       player_(player),
       figure_(new FigureView("plotFigure", FigureView::Marker::Line, this)),
       list_(new QListWidget(this)),
-      hint_(new QLabel(this)) {
+      hint_(new QLabel(this)),
+      growth_(new QTimer(this)) {
   setObjectName("fapPlotPanel");
+  growth_->setSingleShot(true);
+  growth_->setInterval(growthWait);
   list_->setObjectName("plotFAPs");
   list_->setSelectionMode(QAbstractItemView::MultiSelection);
   list_->setIconSize({swatchWidth, swatchHeight});
   list_->setFixedWidth(listWidth);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setToolTip(
-      tr("Click the FAPs to plot, six at most. Listed is what the animation moves; visemes and expressions count as "
+      tr("Click the FAPs to plot, six at most. Listed is what the animation changes; visemes and expressions count as "
          "the FAPs that they stand for"));
   figure_->setToolTip(
       tr("Drag to scrub; wheel to zoom; drag with Shift for the range to play; arrow keys step by frames"));
@@ -139,6 +156,10 @@ void FAPPlotPanel::connectAll() {
     outdated_ = true;
     if (isVisible()) followAnimation();
   });
+  connect(growth_, &QTimer::timeout, this, &FAPPlotPanel::followGrowth);
+  connect(model_, &FaceModel::animationGrew, this, [this] {
+    if (!growth_->isActive()) growth_->start();
+  });
   connect(model_, &FaceModel::stateChanged, this, &FAPPlotPanel::followFrame);
   connect(player_, &AnimationPlayer::rangeChanged, this, &FAPPlotPanel::followRange);
   connect(list_, &QListWidget::itemSelectionChanged, this, &FAPPlotPanel::followChoice);
@@ -179,17 +200,50 @@ void FAPPlotPanel::followAnimation() {
   followFrame();
 }
 
+/// More of the same animation: what was chosen stays, and what is shown still ends with the newest frame if it did.
+void FAPPlotPanel::followGrowth() {
+  if (outdated_ || !isVisible()) {
+    outdated_ = true;
+    return;
+  }
+  if (chosen_.empty()) return followAnimation();
+  const std::vector<PlottedFAP> chosen = chosen_;
+  const double before = known_;
+  const bool fromStart = !(begin_ > 0.0), toEnd = end_ >= before;
+  listFAPs();
+  chosen_ = chosen;
+  {
+    const QSignalBlocker quiet(list_);
+    for (int i = 0; i < list_->count(); ++i)
+      for (const PlottedFAP& plotted : chosen_)
+        if (plotted.fap == fapOf(list_->item(i))) list_->item(i)->setSelected(true);
+  }
+  const double step = toEnd ? duration() - before : 0.0;
+  end_ += step;
+  if (!fromStart) begin_ += step;
+  followChoice();
+  followFrame();
+}
+
 void FAPPlotPanel::listFAPs() {
   const QSignalBlocker quiet(list_);
   list_->clear();
   chosen_.clear();
+  known_ = duration();
+  int still = 0;
   for (const FAPDefinition& fap : fapTable) {
     if (fap.number < FAPFrame::firstLowLevel || !(rangeOf(model_->motion(), fap.number) > 0.0)) continue;
     auto* item = new QListWidgetItem(swatch(-1), QString("%1 %2").arg(fap.number).arg(fapLabel(fap)), list_);
     item->setData(Qt::UserRole, fap.number);
     item->setToolTip(fapToolTip(fap, model_->millimetresPerUnit(fap.number)));
+    if (model_->moves(fap.number)) continue;
+    ++still;
+    markAsStill(item, fap);
   }
-  hint_->setText(list_->count() > 0 ? tr("%1 FAPs move; click to plot, six at most").arg(list_->count()) : QString());
+  const QString counted =
+      still > 0 ? tr("%1 FAPs change, %2 of them without effect on this face").arg(list_->count()).arg(still)
+                : tr("%1 FAPs change").arg(list_->count());
+  hint_->setText(list_->count() > 0 ? tr("%1; click to plot, six at most").arg(counted) : QString());
   figure_->setHint(model_->frameCount() == 0 ? tr("Open a .fap animation to plot its FAPs")
                    : list_->count() == 0     ? tr("No FAP of this animation ever moves")
                                              : tr("Click FAPs in the list to plot them"));
@@ -202,7 +256,8 @@ void FAPPlotPanel::chooseSome() {
     return rangeOf(model_->motion(), fap) * (millimetres > 0.0 ? millimetres : radiansPerAngleUnit * headRadius);
   };
   std::vector<std::pair<double, QListWidgetItem*>> items;
-  for (int i = 0; i < list_->count(); ++i) items.emplace_back(reach(fapOf(list_->item(i))), list_->item(i));
+  for (int i = 0; i < list_->count(); ++i)
+    if (model_->moves(fapOf(list_->item(i)))) items.emplace_back(reach(fapOf(list_->item(i))), list_->item(i));
   std::stable_sort(items.begin(), items.end(),
                    [](const auto& one, const auto& other) { return one.first > other.first; });
   const QSignalBlocker quiet(list_);

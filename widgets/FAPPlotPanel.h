@@ -8,6 +8,7 @@ class QHBoxLayout;
 class QLabel;
 class QListWidget;
 class QListWidgetItem;
+class QTimer;
 
 namespace mien {
 
@@ -34,6 +35,7 @@ class FAPPlotPanel : public QWidget {
   QWidget* controls();
   void connectAll();
   void followAnimation();
+  void followGrowth();
   void listFAPs();
   void chooseSome();
   void followChoice();
@@ -55,6 +57,8 @@ class FAPPlotPanel : public QWidget {
   QLabel* hint_;
   std::vector<PlottedFAP> chosen_;
   double begin_ = 0.0, end_ = 1.0;  ///< s
+  double known_ = 0.0;              ///< s, of the animation when its FAPs were listed
+  QTimer* growth_;
   bool outdated_ = true;
 };
 

@@ -10,6 +10,9 @@
 #include "FAPTable.h"
 #include "FaceNote.h"
 #include "HighLevelFAPs.h"
+#include "MotionReach.h"
+#include "NamedTables.h"
+#include "PipelineErrors.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
 
@@ -39,13 +42,25 @@ QString missingParts(const std::vector<int>& faps) {
   return parts.join(", ");
 }
 
+/// What is wrong with a file that is open already and may have changed since, or nothing.
+QString faultOnDisk(const QString& fileName) {
+  vtkNew<vtkFAPReader> reader;
+  PipelineErrors errors;
+  errors.observe(reader);
+  reader->SetFileName(fileName.toStdString().c_str());
+  reader->UpdateInformation();
+  return QString::fromStdString(errors.first());
+}
+
 }  // namespace
 
-FaceModel::FaceModel(QObject* parent) : QObject(parent), idle_(new QTimer(this)) {
+FaceModel::FaceModel(QObject* parent)
+    : QObject(parent), idle_(new QTimer(this)), reach_(std::make_unique<MotionReach>()) {
   idle_->setSingleShot(true);
   idle_->setInterval(0);
   connect(idle_, &QTimer::timeout, this, &FaceModel::update);
   pipeline_.updateNeutralCurves();
+  reach_->plan(state_, motion_);
   followTable();
   update();
 }
@@ -74,6 +89,7 @@ bool FaceModel::update() {
   pipelineTime_ = clock.nsecsElapsed() * 1e-6;
   if (!fault.isEmpty()) {
     state_ = good_;
+    reopened_ = false;
     show(state_);
     emit stateChanged();
     emit failed(fault, tr("The face is as it was before."));
@@ -83,22 +99,43 @@ bool FaceModel::update() {
 }
 
 void FaceModel::accept() {
-  const bool otherFile = good_.fapFile != state_.fapFile, otherTable = good_.animationTable != state_.animationTable;
+  const bool otherFile = reopened_ || good_.fapFile != state_.fapFile || isReadAnew();
+  const bool otherTable = good_.animationTable != state_.animationTable;
   FaceState before = good_;
   before.frame = state_.frame;
   const bool changed = before != state_;
   good_ = state_;
+  reopened_ = false;
   if (otherFile) followAnimation();
   if (otherTable) followTable();
+  followReach();
   emit updated();
   if (changed) emit recovered();
   if (otherFile) emit animationChanged();
   if (otherFile && frameCount() > 0) reportAnimation();
 }
 
+/// The reader looks at the file again after a failure anywhere.
+bool FaceModel::isReadAnew() const {
+  return !state_.fapFile.empty() && motion_.frames.size() != pipeline_.frames()->GetSequence().frames.size();
+}
+
 void FaceModel::followAnimation() {
   motion_ = good_.fapFile.empty() ? FAPSequence() : pipeline_.frames()->GetSequence();
   for (FAPFrame& frame : motion_.frames) resolveHighLevelFAPs(defaultVisemes(), defaultExpressions(), frame);
+  const std::vector<int> still = good_.fapFile.empty() ? std::vector<int>() : stillFAPs();
+  reported_ = {still.begin(), still.end()};
+  reach_->plan(withoutStream(good_), motion_);
+  emit reachChanged();
+}
+
+/// A face at rest fills the view again, whatever it did before.
+void FaceModel::followReach() {
+  const bool rests =
+      good_.fapFile.empty() && good_.fapValues.empty() && good_.expressions.empty() && good_.visemes.empty();
+  const bool shrinks = rests && reach_->hasGrown();
+  if (shrinks) reach_->plan(good_, motion_);
+  if (reach_->add(pipeline_) || shrinks) emit reachChanged();
 }
 
 /// The pipeline has read the table already, so there is no fault left to report.
@@ -113,12 +150,18 @@ bool FaceModel::moves(int fap) const {
   return fapDefinition(fap).hasSurface && (turnsHead || table_.entry(fap));
 }
 
+std::vector<int> FaceModel::stillFAPs() const {
+  std::vector<int> still;
+  for (int fap : pipeline_.frames()->GetFAPsUsed())
+    if (!moves(fap)) still.push_back(fap);
+  return still;
+}
+
 /// The file's FAPs that move nothing, as a sentence; or nothing.
-QString FaceModel::stillFAPs() const {
-  const std::vector<int> used = pipeline_.frames()->GetFAPsUsed(), missing = fapsWithoutSurface(used);
+QString FaceModel::stillText() const {
+  const std::vector<int> still = stillFAPs(), missing = fapsWithoutSurface(still);
   std::vector<int> unknown;
-  for (int fap : used)
-    if (!moves(fap) && std::find(missing.begin(), missing.end(), fap) == missing.end()) unknown.push_back(fap);
+  std::set_difference(still.begin(), still.end(), missing.begin(), missing.end(), std::back_inserter(unknown));
   QStringList parts;
   if (!missing.empty())
     parts << tr("FAP %1 (%2), which this face has no surface for").arg(numbers(missing), missingParts(missing));
@@ -127,7 +170,7 @@ QString FaceModel::stillFAPs() const {
 }
 
 void FaceModel::reportAnimation() {
-  const QString still = stillFAPs();
+  const QString still = stillText();
   const QString name = isLive() ? tr("The stream") : QFileInfo(QString::fromStdString(state_.fapFile)).fileName();
   QStringList remarks;
   for (const std::string& warning : pipeline_.frames()->GetWarnings()) remarks << QString::fromStdString(warning);
@@ -142,7 +185,14 @@ void FaceModel::reportAnimation() {
 }
 
 bool FaceModel::openAnimation(const QString& fileName) {
-  if (state_.fapFile == fileName.toStdString()) pipeline_.frames()->Modified();  // it may have changed on disk
+  const bool again = !fileName.isEmpty() && fileName != "-" && state_.fapFile == fileName.toStdString();
+  const QString fault = again ? faultOnDisk(fileName) : QString();
+  if (!fault.isEmpty()) {
+    emit failed(fault, tr("The face is as it was before."));
+    return false;
+  }
+  if (again) pipeline_.frames()->Modified();
+  reopened_ = again;
   change([&](FaceState& state) {
     state.fapFile = fileName.toStdString();
     state.frame = 0.0;
@@ -155,13 +205,66 @@ bool FaceModel::openAnimation(const QString& fileName) {
 void FaceModel::appendLive(double framesPerSecond, const QString& name, const std::vector<FAPFrame>& frames) {
   const bool isFirst = !isLive();
   if (isFirst) pipeline_.frames()->StartStream(framesPerSecond, name.toStdString());
+  FAPSequence batch;
+  batch.frames = frames;
   for (FAPFrame frame : frames) {
     pipeline_.frames()->AppendFrame(frame);
     resolveHighLevelFAPs(defaultVisemes(), defaultExpressions(), frame);
     if (!isFirst) motion_.frames.push_back(frame);
   }
   if (isFirst) openAnimation("-");
+  bool news = false;
+  for (int fap : batch.fapsUsed()) news |= !moves(fap) && reported_.insert(fap).second;
+  if (news) emit remarked(tr("The stream goes on. %1").arg(stillText()), QString());
   emit animationGrew();
+}
+
+FaceState FaceModel::withoutStream(FaceState state) const {
+  if (state.fapFile != "-") return state;
+  const FaceState none;
+  const bool isTime = state.frameChoice == FaceState::FrameChoice::Time;
+  const double time = isTime ? state.frame : state.frame / motion_.framesPerSecond;
+  const FAPFrame frame = motion_.frames.empty() ? FAPFrame() : motion_.frameAtTime(time, state.interpolateFrames);
+  for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
+    if (const double value = frame.value(fap); value != 0.0)
+      state.fapValues[fap] =
+          std::clamp(state.fapValues[fap] + value, -FaceState::largestFAPValue, FaceState::largestFAPValue);
+  state.fapFile = none.fapFile;
+  state.frameChoice = none.frameChoice;
+  state.frame = none.frame;
+  state.interpolateFrames = none.interpolateFrames;
+  return state;
+}
+
+/// Read before, so that a file with a fault changes nothing. One that is open already goes away and comes back, as it
+/// may have changed on disk.
+bool FaceModel::takeTable(const std::string& name, const std::string& fault,
+                          const std::function<std::string&(FaceState&)>& part) {
+  if (!fault.empty()) {
+    emit failed(QString::fromStdString(fault), tr("The face is as it was before."));
+    return false;
+  }
+  const auto choose = [&](const std::string& chosen) {
+    change([&](FaceState& state) { part(state) = chosen; });
+    return update();
+  };
+  FaceState now = state_;
+  if (part(now) == name) choose({});
+  return choose(name);
+}
+
+bool FaceModel::openAnimationTable(const QString& fileName) {
+  AnimationTable table;
+  const std::string name = fileName.toStdString();
+  return takeTable(name, readAnimationTable(name, table),
+                   [](FaceState& state) -> std::string& { return state.animationTable; });
+}
+
+bool FaceModel::openDeformationTable(const QString& nameOrFile) {
+  DeformationTable table;
+  const std::string name = nameOrFile.toStdString();
+  return takeTable(name, readNamedTable(name, table),
+                   [](FaceState& state) -> std::string& { return state.deformation.table; });
 }
 
 void FaceModel::closeAnimation() {
@@ -195,8 +298,9 @@ std::string FaceModel::motionText() const {
 }
 
 QString FaceModel::frameNumber() const {
-  const int last = frameCount() - 1;
-  return last < 0 ? QString() : QString::number(motion_.frames[std::clamp(frameIndex(), 0, last)].number);
+  const int last = static_cast<int>(motion_.frames.size()) - 1;
+  return last < 0 || frameCount() == 0 ? QString()
+                                       : QString::number(motion_.frames[std::clamp(frameIndex(), 0, last)].number);
 }
 
 void FaceModel::showFrame(double position) {
@@ -221,6 +325,9 @@ double FaceModel::shownFAP(int fap) const {
     value += motion_.frameAtTime(framePosition() / motion_.framesPerSecond, interpolates()).value(fap);
   for (const auto& [name, intensity] : state_.expressions)
     value += intensity * vtkFAPAnimationFilter::GetExpressionFAP(name, fap);
+  FAPFrame spoken;
+  for (const auto& [name, strength] : state_.visemes) defaultVisemes().add(name, strength, spoken);
+  value += spoken.value(fap);
   return value;
 }
 

@@ -4,6 +4,8 @@
 #include <QString>
 #include <QStringList>
 #include <functional>
+#include <memory>
+#include <set>
 #include <vector>
 
 #include "AnimationTable.h"
@@ -14,6 +16,8 @@
 class QTimer;
 
 namespace mien {
+
+class MotionReach;
 
 /// The one face that all widgets show and change: a FaceState and the pipeline that draws it.
 ///
@@ -27,6 +31,7 @@ class FaceModel : public QObject {
 
   const FaceState& state() const { return state_; }
   FacePipeline& pipeline() { return pipeline_; }
+  const FacePipeline& pipeline() const { return pipeline_; }
 
   /// Changes the state now and the picture when the event loop is next idle.
   void change(const std::function<void(FaceState&)>& edit);
@@ -42,6 +47,18 @@ class FaceModel : public QObject {
   /// Appends frames of a stream that is still being written; the first take the place of the animation that is open.
   void appendLive(double framesPerSecond, const QString& name, const std::vector<FAPFrame>& frames);
   bool isLive() const { return state_.fapFile == "-"; }
+
+  /// What another pipeline or a file may be given: of a stream the frame that the state shows, as FAP values, since
+  /// nobody can read a stream twice.
+  FaceState withoutStream(FaceState state) const;
+  FaceState lastingState() const { return withoutStream(state_); }
+
+  /// Takes over a user's own animation table (.json), read anew from disk; an empty name: the one compiled in.
+  /// @return whether it was good; else all stays as it was
+  bool openAnimationTable(const QString& fileName);
+
+  /// Lets a facial deformation table bend the face, by name or file, read anew from disk. @return whether it was good
+  bool openDeformationTable(const QString& nameOrFile);
 
   int frameCount() const;           ///< of the open animation; 0 without one
   double framesPerSecond() const;   ///< of the open animation; 0 without one
@@ -68,6 +85,9 @@ class FaceModel : public QObject {
   /// How far one FAP unit moves on this face, in mm; 0 for angles and for FAP 1 and 2.
   double millimetresPerUnit(int fap) const;
 
+  /// Where the face has been and will be in its animation.
+  const MotionReach& reach() const { return *reach_; }
+
   int pointsPerCurve() const { return pipeline_.pointsPerCurve(); }
 
   double pipelineTime() const { return pipelineTime_; }  ///< of the last update, in ms
@@ -77,17 +97,23 @@ class FaceModel : public QObject {
   void updated();           ///< the pipeline's output is new
   void animationChanged();  ///< another .fap file, or none
   void animationGrew();     ///< a stream has more frames
+  void reachChanged();      ///< the face moves further than it did, or rests
   void tableChanged();      ///< other FAPs may move the face
   void recovered();         ///< a change of more than the frame was good; what failed before it is history
   void failed(const QString& sentence, const QString& details);
   void remarked(const QString& sentence, const QString& details);  ///< accepted, but worth knowing
 
  private:
+  bool takeTable(const std::string& name, const std::string& fault,
+                 const std::function<std::string&(FaceState&)>& part);
   QString show(const FaceState& state);
   void accept();
+  bool isReadAnew() const;
   void followAnimation();
+  void followReach();
   void followTable();
-  QString stillFAPs() const;
+  std::vector<int> stillFAPs() const;
+  QString stillText() const;
   void reportAnimation();
 
   FacePipeline pipeline_;
@@ -96,6 +122,9 @@ class FaceModel : public QObject {
   AnimationTable table_;
   QTimer* idle_;
   double pipelineTime_ = 0.0;
+  bool reopened_ = false;
+  std::set<int> reported_;  ///< FAPs of the animation that move nothing, as far as the user knows
+  std::unique_ptr<MotionReach> reach_;
 };
 
 }  // namespace mien

@@ -1,7 +1,9 @@
 #include "FaceView.h"
 
 #include <vtkActor.h>
+#include <vtkAlgorithm.h>
 #include <vtkImageData.h>
+#include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
@@ -15,8 +17,8 @@ namespace mien {
 
 namespace {
 
-constexpr float meshWidth = 1.0f;  // pixels
-const QColor mouth("#5c2421");     // inside of a face with a photograph, which does not show it
+constexpr float meshWidth = 1.0f;     // pixels
+const QColor mouthInside("#5c2421");  // inside of a face with a photograph, which does not show it
 
 void setColor(vtkProperty* property, const QColor& color) {
   property->SetColor(color.redF(), color.greenF(), color.blueF());
@@ -42,6 +44,11 @@ FaceView::FaceView(FaceModel* model, QWidget* parent) : RenderView(model, parent
   texture_->EdgeClampOn();
   addSurface();
   dress();
+  const auto followMouth = [this, model] {
+    mouth_.follow(vtkPolyData::SafeDownCast(model->pipeline().curves()->GetOutputDataObject(0)));
+  };
+  connect(model, &FaceModel::updated, this, followMouth);
+  followMouth();
 }
 
 FaceView::~FaceView() = default;
@@ -63,7 +70,7 @@ void FaceView::dress() {
   const bool photograph = textured_ && !wires;
   surface_->SetTexture(photograph ? texture_.Get() : nullptr);
   setColor(surface_->GetProperty(), wires ? theme.mesh : photograph ? QColor(Qt::white) : theme.skin);
-  setColor(surface_->GetBackfaceProperty(), wires ? theme.ghost : photograph ? mouth : theme.skinInside);
+  setColor(surface_->GetBackfaceProperty(), wires ? theme.ghost : photograph ? mouthInside : theme.skinInside);
   for (vtkProperty* side : {surface_->GetProperty(), surface_->GetBackfaceProperty()}) {
     setSkin(side);
     side->SetRepresentation(wires ? VTK_WIREFRAME : VTK_SURFACE);
@@ -77,6 +84,7 @@ void FaceView::dress() {
 
 void FaceView::setMesh(Mesh mesh) {
   mesh_ = mesh;
+  mouth_.setVisible(mesh_ != Mesh::Wireframe);
   dress();
   redraw();
 }

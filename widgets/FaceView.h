@@ -1,5 +1,6 @@
 #pragma once
 
+#include "MouthActor.h"
 #include "RenderView.h"
 
 class vtkActor;
@@ -42,6 +43,7 @@ class FaceView : public RenderView {
   vtkNew<vtkReverseSense> outwards_;
   vtkNew<vtkActor> surface_;
   vtkNew<vtkTexture> texture_;
+  MouthActor mouth_{renderer()};
   Mesh mesh_ = Mesh::Shaded;
   bool textured_ = false;
 };

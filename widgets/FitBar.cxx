@@ -125,7 +125,7 @@ bool FitBar::write(const QString& fileName) {
   if (!fit || !fit->fault.isEmpty()) return false;
   const std::string origin = present_->isPinned() ? "a pinned face" : "the face at rest";
   const std::string comment = "Facial deformation table in pupil units, fitted by Mien Studio from " + origin +
-                              " to this one:\n" + writeFaceState(model_->state());
+                              " to this one:\n" + writeFaceState(model_->lastingState());
   const QString fault = writeFit(fit->table, comment, fileName);
   if (!fault.isEmpty()) emit model_->failed(fault, QString());
   return fault.isEmpty();

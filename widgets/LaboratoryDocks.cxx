@@ -6,6 +6,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "AnimationPlayer.h"
 #include "ContinuityPanel.h"
 #include "CurvePanel.h"
 #include "DeformationPanel.h"
@@ -32,7 +33,11 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
     : QObject(window), view_(view), window_(window) {
   window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   plot_ = add("plotDock", tr("FAPs over time"), new FAPPlotPanel(model, player));
-  giveHeight(add("vectorsDock", tr("Motion vectors"), new VectorPanel(model, view)));
+  auto* vectorPanel = new VectorPanel(model, view);
+  giveHeight(add("vectorsDock", tr("Motion vectors"), vectorPanel));
+  connect(player, &AnimationPlayer::playingChanged, vectorPanel, [vectorPanel](bool playing) {
+    if (playing) vectorPanel->fit();
+  });
   add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));

@@ -7,11 +7,14 @@
 #include "BackgroundTask.h"
 #include "FaceMotion.h"
 #include "MotionVectorFigure.h"
+#include "RecentMotion.h"
+#include "VectorScale.h"
 
 namespace mien {
 
 namespace {
 
+constexpr double shrinkShare = 0.7;    // of the present scale: a smaller change is not worth a jump
 constexpr double longestArrow = 0.13;  // over the width of the figure, as MotionVectorFigure chooses the scale
 
 using Length = MotionVectorOptions::Length;
@@ -25,17 +28,22 @@ const VectorPicture& pictureOf(const MotionVectorFigure& figure) {
   return figure.panels().front().picture();
 }
 
-bool outgrowsScale(const MotionVectorFigure& figure, const MotionVectorOptions& options) {
+/// What scale and range depend on, in one picture.
+RecentMotion::Lengths lengthsOf(const MotionVectorFigure& figure, const MotionVectorOptions& options) {
   const VectorPicture& picture = pictureOf(figure);
-  const double longest = options.length == Length::InSpace ? picture.largest() : picture.longest();
-  return longest > longestArrow * options.width * figure.scale();
+  RecentMotion::Lengths lengths = {options.length == Length::InSpace ? picture.largest() : picture.longest(), 0.0};
+  for (const PictureArrow& arrow : picture.arrows)
+    lengths.colored =
+        std::max(lengths.colored, options.color == Color::Towards ? std::abs(arrow.towards) : arrow.magnitude);
+  return lengths;
+}
+
+bool outgrowsScale(const MotionVectorFigure& figure, const MotionVectorOptions& options) {
+  return lengthsOf(figure, options).drawn > longestArrow * options.width * figure.scale();
 }
 
 bool outgrowsRange(const MotionVectorFigure& figure, const MotionVectorOptions& options) {
-  double most = 0.0;
-  for (const PictureArrow& arrow : pictureOf(figure).arrows)
-    most = std::max(most, options.color == Color::Towards ? std::abs(arrow.towards) : arrow.magnitude);
-  return most > figure.rangeEnd();
+  return lengthsOf(figure, options).colored > figure.rangeEnd();
 }
 
 }  // namespace
@@ -46,6 +54,7 @@ struct LiveMotion::Held {
   MotionVectorOptions options;  ///< for which
   std::optional<double> scale;
   std::optional<std::array<double, 2>> range;
+  RecentMotion recent;
 
   /// Other lengths, colours or sizes of the figure have other scales.
   void follow(const MotionVectorOptions& other) {
@@ -53,8 +62,21 @@ struct LiveMotion::Held {
     if (outdated.exchange(false) || !same) {
       scale.reset();
       range.reset();
+      recent.clear();
     }
     options = other;
+  }
+
+  /// Where all recent motion was much smaller, what fits it takes the place. @return whether there is a change
+  bool shrink(const MotionVectorFigure& figure) {
+    const std::optional<RecentMotion::Lengths> most =
+        recent.add(std::chrono::steady_clock::now(), lengthsOf(figure, options));
+    if (!most || !scale || !range || !(most->drawn > 0.0)) return false;
+    const double smaller = figure.scaleFor(most->drawn), end = automaticRangeEnd(most->colored);
+    const bool shorter = smaller < shrinkShare * *scale, paler = end < shrinkShare * (*range)[1];
+    if (shorter) scale = smaller;
+    if (paler) range = {(*range)[0] < 0.0 ? -end : 0.0, end};
+    return shorter || paler;
   }
 };
 
@@ -108,6 +130,11 @@ void LiveMotion::draw(Held& held, MotionResult& result) {
   if (longer) options.scale.reset();
   if (beyond) options.range.reset();
   if (longer || beyond) figure = figureOf(result, options);
+  if (held.shrink(*figure)) {
+    if (!asked.scale && !asked.trueToFace) options.scale = held.scale;
+    if (!asked.range) options.range = held.range;
+    figure = figureOf(result, options);
+  }
   if (!pictureOf(*figure).arrows.empty()) {
     if (!asked.trueToFace) held.scale = figure->scale();
     held.range = {figure->rangeBegin(), figure->rangeEnd()};

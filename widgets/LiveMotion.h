@@ -37,8 +37,9 @@ struct MotionResult {
 
 /// Computes motion vector figures on a thread of its own, the latest request last.
 ///
-/// While scale and range are left open they are chosen once and then only grow, so that arrows keep their meaning while
-/// a face moves; fit() chooses them anew.
+/// While scale and range are left open they grow at once where the motion does, and shrink when it has been smaller for
+/// two seconds, so that arrows keep their meaning from picture to picture and still can be seen; fit() chooses them
+/// anew.
 class LiveMotion : public QObject {
   Q_OBJECT
  public:

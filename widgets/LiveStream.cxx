@@ -10,7 +10,6 @@ namespace mien {
 namespace {
 
 constexpr int longestWait = 100;  // ms until the thread looks whether it should stop
-constexpr int largestLag = 2;     // frames; with more waiting they are played at their rate instead of left out
 
 }  // namespace
 
@@ -44,26 +43,20 @@ void LiveStream::read(int descriptor) {
 void LiveStream::take(double framesPerSecond, const QString& name, const std::vector<FAPFrame>& frames) {
   if (!open_) return;
   if (started_ && !model_->isLive()) return finish({});  // another file has been opened, or none
-  if (!started_) {
-    looped_ = player_->loops();
-    player_->setLoop(false);
-  }
+  const bool follows = !started_ || (!player_->isPlaying() && model_->frameIndex() + 1 >= model_->frameCount());
   started_ = true;
   model_->appendLive(framesPerSecond, name, frames);
-  const int last = model_->frameCount() - 1;
-  if (player_->isPlaying()) return;
-  last - model_->frameIndex() > largestLag ? player_->play() : model_->showFrame(last);
+  if (follows) model_->showFrame(model_->frameCount() - 1);
 }
 
 void LiveStream::finish(const QString& fault) {
   if (!open_) return;
   open_ = false;
   stop_ = true;
-  if (started_) player_->setLoop(looped_);
   if (!fault.isEmpty())
     emit failed(fault, tr("The frames before it stay."));
   else if (model_->isLive())
-    emit ended(tr("The stream has ended after %1 frames.").arg(model_->frameCount()), {});
+    emit ended(tr("The stream has ended after %1 frames; Play shows them again.").arg(model_->frameCount()), {});
 }
 
 }  // namespace mien

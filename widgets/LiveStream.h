@@ -12,9 +12,9 @@ namespace mien {
 class AnimationPlayer;
 class FaceModel;
 
-/// Plays a .fap stream while it is being written, such as standard input: the newest frame as it comes, at the stream's
-/// own rate where many come at once. A thread reads; it ends with the stream, a line that is wrong, another file or the
-/// object.
+/// Shows a .fap stream while it is being written, such as standard input: always the newest frame, so that the face is
+/// never late, whatever comes at once. Who goes back to an earlier frame, or plays, stays there until the newest is
+/// shown again. A thread reads; it ends with the stream, a line that is wrong, another file or the object.
 class LiveStream : public QObject {
   Q_OBJECT
  public:
@@ -34,9 +34,9 @@ class LiveStream : public QObject {
 
   FaceModel* model_;
   AnimationPlayer* player_;
-  std::thread thread_;
   std::atomic<bool> stop_{false};
-  bool open_ = true, started_ = false, looped_ = false;
+  bool open_ = true, started_ = false;
+  std::thread thread_;  // last: it uses the others
 };
 
 }  // namespace mien

@@ -23,6 +23,8 @@ QString describe(const FaceModel& model) {
   if (model.frameCount() > 0) parts << OriginChooser::tr("frame %1").arg(model.frameNumber());
   for (const auto& [name, intensity] : state.expressions)
     parts << QString("%1 %2 %").arg(QString::fromStdString(name)).arg(qRound(100.0 * intensity));
+  for (const auto& [name, strength] : state.visemes)
+    parts << QString("%1 %2 %").arg(QString::fromStdString(name)).arg(qRound(100.0 * strength));
   if (!state.fapValues.empty())
     parts << OriginChooser::tr("%n FAP(s)", nullptr, static_cast<int>(state.fapValues.size()));
   return parts.isEmpty() ? OriginChooser::tr("neutral") : parts.join(", ");
@@ -77,7 +79,7 @@ FaceState OriginChooser::origin() const {
   state.frameChoice = FaceState::FrameChoice::Index;
   state.interpolateFrames = false;
   state.frame = std::max(0, model_->frameIndex() - 1);
-  return state;
+  return model_->withoutStream(state);
 }
 
 QString OriginChooser::originName() const {
@@ -89,7 +91,7 @@ QString OriginChooser::originName() const {
 void OriginChooser::pin() {
   const std::string words = model_->motionText();
   pins_.push_back(
-      {++pinCount_, model_->state(), words.empty() ? tr("the neutral face") : QString::fromStdString(words)});
+      {++pinCount_, model_->lastingState(), words.empty() ? tr("the neutral face") : QString::fromStdString(words)});
   choice_->addItem(tr("Pin %1: %2").arg(pinCount_).arg(describe(*model_)), pinCount_);
   choice_->setCurrentIndex(choice_->count() - 1);
 }

@@ -16,14 +16,17 @@
 #include <cmath>
 
 #include "FaceModel.h"
+#include "MotionReach.h"
 #include "Theme.h"
 
 namespace mien {
 
 namespace {
 
-constexpr double viewAngle = 14.0;  // degrees: a portrait lens, nearly parallel
-constexpr double margin = 1.15;     // of the face's extent; its near parts look larger
+constexpr double viewAngle = 14.0;   // degrees: a portrait lens, nearly parallel
+constexpr double margin = 0.075;     // of the face's extent, around it at rest; its near parts look larger
+constexpr double thinMargin = 0.03;  // around all that it reaches
+constexpr double mostReach = 0.6;    // values beyond all sense must not make a face a dot
 
 double degrees(RenderView::Side side) {
   return side == RenderView::Side::Front ? 0.0 : side == RenderView::Side::FortyFive ? 45.0 : 90.0;
@@ -54,17 +57,27 @@ struct Outline {
   double middle(int axis) const { return 0.5 * (low[axis] + high[axis]); }
 };
 
-Outline outlineFrom(RenderView::Side side, vtkPolyData* curves) {
+void add(const Axes& axes, const double point[3], Outline& outline) {
+  outline.add(0, vtkMath::Dot(axes.right, point));
+  outline.add(1, vtkMath::Dot(axes.up, point));
+  outline.add(2, vtkMath::Dot(axes.out, point));
+}
+
+/// What the view must hold: the face at rest with room around it, and all that it reaches while it moves.
+Outline outlineFrom(RenderView::Side side, const FaceModel& model) {
   const Axes axes(side);
-  Outline outline;
-  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i) {
-    double point[3];
-    curves->GetPoint(i, point);
-    outline.add(0, vtkMath::Dot(axes.right, point));
-    outline.add(1, vtkMath::Dot(axes.up, point));
-    outline.add(2, vtkMath::Dot(axes.out, point));
+  Outline rest, reach;
+  vtkPolyData* curves = model.pipeline().neutralCurves()->GetOutput();
+  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i) add(axes, curves->GetPoint(i), rest);
+  for (const MotionReach::Point& point : model.reach().points()) add(axes, point.data(), reach);
+  for (int axis : {0, 1}) {
+    const double size = rest.size(axis), room = margin * size, most = mostReach * size;
+    const double below = rest.low[axis] - reach.low[axis] + thinMargin * size;
+    const double beyond = reach.high[axis] - rest.high[axis] + thinMargin * size;
+    rest.low[axis] -= std::clamp(below, room, most);
+    rest.high[axis] += std::clamp(beyond, room, most);
   }
-  return outline;
+  return rest;
 }
 
 vtkSmartPointer<vtkLight> cameraLight(double x, double y, double z, double intensity, double warmth) {
@@ -96,6 +109,7 @@ RenderView::RenderView(FaceModel* model, QWidget* parent) : QVTKOpenGLNativeWidg
   observeMouse();
   setBackground(renderer_, Theme::current());
   connect(model, &FaceModel::updated, this, &RenderView::redraw);
+  connect(model, &FaceModel::reachChanged, this, &RenderView::followReach);
 }
 
 RenderView::~RenderView() = default;
@@ -125,6 +139,13 @@ void RenderView::userMoved() {
   if (partner_) partner_->takeCamera(this);
 }
 
+/// A camera that the user has placed stays.
+void RenderView::followReach() {
+  if (moved_) return;
+  placeCamera();
+  redraw();
+}
+
 void RenderView::look(Side side) {
   side_ = side;
   fit();
@@ -148,14 +169,14 @@ void RenderView::placeCamera(const std::array<double, 3>& focus, const std::arra
 }
 
 double RenderView::fittingDistance() const {
-  const Outline outline = outlineFrom(side_, model_->pipeline().neutralCurves()->GetOutput());
+  const Outline outline = outlineFrom(side_, *model_);
   const double aspect = static_cast<double>(std::max(1, width())) / std::max(1, height());
-  const double extent = margin * std::max(outline.size(1), outline.size(0) / aspect);
+  const double extent = std::max(outline.size(1), outline.size(0) / aspect);
   return 0.5 * extent / std::tan(viewAngle * M_PI / 360.0);
 }
 
 void RenderView::placeCamera() {
-  const Outline outline = outlineFrom(side_, model_->pipeline().neutralCurves()->GetOutput());
+  const Outline outline = outlineFrom(side_, *model_);
   const Axes axes(side_);
   const double distance = fittingDistance();
   double focus[3], position[3];

@@ -17,7 +17,8 @@ class FaceModel;
 
 /// A three-dimensional view of the face: light, background, camera and mouse. What is in it, its subclasses say.
 ///
-/// The face fills the view until the user moves the camera; fit() goes back to that.
+/// The face, and all that it reaches while it moves, fills the view until the user moves the camera; fit() goes back to
+/// that.
 class RenderView : public QVTKOpenGLNativeWidget {
   Q_OBJECT
  public:
@@ -52,6 +53,7 @@ class RenderView : public QVTKOpenGLNativeWidget {
   void observeMouse();
   void userMoved();
   void placeCamera();
+  void followReach();
   double fittingDistance() const;  ///< from which the whole face fills this view
   void takeCamera(const RenderView* other);
 

@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -17,10 +18,12 @@
 
 #include "AnimationPlayer.h"
 #include "BundledFile.h"
+#include "ColorScale.h"
 #include "CurveView.h"
 #include "ExpressionPanel.h"
 #include "FAPPanel.h"
 #include "FaceModel.h"
+#include "FileKind.h"
 #include "LaboratoryDocks.h"
 #include "LiveStream.h"
 #include "MessageBar.h"
@@ -39,9 +42,27 @@ constexpr int dockWidth = 340;
 
 QString droppedFile(const QMimeData* data) {
   for (const QUrl& url : data->urls())
-    for (const char* ending : {".fap", ".csv"})
-      if (url.isLocalFile() && url.toLocalFile().endsWith(ending, Qt::CaseInsensitive)) return url.toLocalFile();
+    if (url.isLocalFile()) return url.toLocalFile();
   return {};
+}
+
+/// What to do with a file that is no use here, or nothing.
+QString advice(FileKind kind) {
+  switch (kind) {
+    case FileKind::Landmarks:
+      return StudioWindow::tr(
+          "%1 holds landmarks, which place the curves on a scan: mien acquire SCAN --landmarks %1 -o face.vtp");
+    case FileKind::Markers:
+      return StudioWindow::tr(
+          "%1 holds markers before and after an expression. Fit a table to them, and open that: mien fdt fit %1 -o "
+          "table.csv");
+    case FileKind::Other:
+      return StudioWindow::tr(
+          "%1 is no animation and no table. Mien Studio opens .fap files, tables (.csv) of FAPs, action units or "
+          "blendshapes, facial deformation tables (.csv) and animation tables (.json)");
+    default:
+      return {};
+  }
 }
 
 }  // namespace
@@ -134,6 +155,7 @@ void StudioWindow::addSideButtons(ViewFrame* frame) {
 
 QWidget* StudioWindow::curveFrame() {
   auto* frame = new ViewFrame(tr("Curves"), curves_, this);
+  frame->addBelow(new ColorScale(model_, this));
   connect(frame->addToggle("curvePoints", tr("Points"), tr("The points of the curves"), true), &QToolButton::toggled,
           curves_, &CurveView::setPointsVisible);
   connect(frame->addToggle("curveNeutral", tr("Neutral"), tr("The curves of the neutral face, thin and pale"), true),
@@ -176,6 +198,15 @@ void StudioWindow::addFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
   menu->addAction(tr("&Open animation..."), this, &StudioWindow::chooseAnimation)->setShortcut(QKeySequence::Open);
   menu->addAction(tr("Play the &demonstration"), this, &StudioWindow::playDemonstration);
+  menu->addSeparator();
+  menu->addAction(tr("Open animation &table..."), this, &StudioWindow::chooseAnimationTable)
+      ->setObjectName("actionOpenTable");
+  QAction* builtIn = menu->addAction(tr("&Built-in animation table"), this, [this] { openAnimationTable(QString()); });
+  builtIn->setObjectName("actionBuiltInTable");
+  builtIn->setEnabled(false);
+  connect(model_, &FaceModel::stateChanged, builtIn,
+          [this, builtIn] { builtIn->setEnabled(!model_->state().animationTable.empty()); });
+  menu->addSeparator();
   menu->addAction(tr("&Close animation"), model_, &FaceModel::closeAnimation)->setShortcut(QKeySequence::Close);
   menu->addSeparator();
   menu->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence::Quit);
@@ -227,6 +258,28 @@ void StudioWindow::showAbout() {
           .arg(QApplication::applicationVersion()));
 }
 
+bool StudioWindow::openFile(const QString& fileName) {
+  const FileKind kind = fileKind(fileName);
+  const QString name = QFileInfo(fileName).fileName();
+  if (kind == FileKind::AnimationTable) return openAnimationTable(fileName);
+  if (kind == FileKind::Animation) return openAnimation(fileName);
+  if (kind != FileKind::DeformationTable) {
+    messages_->showError(advice(kind).arg(name), fileName);
+    return false;
+  }
+  if (!model_->openDeformationTable(fileName)) return false;
+  messages_->showNote(tr("%1 bends the face now; the Deformation dock has its strength.").arg(name), fileName);
+  return true;
+}
+
+bool StudioWindow::openAnimationTable(const QString& fileName) {
+  if (!model_->openAnimationTable(fileName)) return false;
+  messages_->showNote(fileName.isEmpty() ? tr("The built-in animation table moves the face again.")
+                                         : tr("%1 says now what each FAP moves.").arg(QFileInfo(fileName).fileName()),
+                      fileName);
+  return true;
+}
+
 bool StudioWindow::openAnimation(const QString& fileName) {
   const bool good = model_->openAnimation(fileName);
   if (good && !fileName.isEmpty()) setWindowFilePath(fileName);
@@ -244,7 +297,13 @@ void StudioWindow::chooseAnimation() {
   const QString name =
       QFileDialog::getOpenFileName(this, tr("Open animation"), QString(),
                                    tr("Facial animation and capture (*.fap *.FAP *.csv *.CSV);;All files (*)"));
-  if (!name.isEmpty()) openAnimation(name);
+  if (!name.isEmpty()) openFile(name);
+}
+
+void StudioWindow::chooseAnimationTable() {
+  const QString name = QFileDialog::getOpenFileName(this, tr("Open animation table"), QString(),
+                                                    tr("Animation tables (*.json *.JSON);;All files (*)"));
+  if (!name.isEmpty()) openAnimationTable(name);
 }
 
 void StudioWindow::playDemonstration() {
@@ -256,6 +315,7 @@ void StudioWindow::resetAll() {
   model_->change([](FaceState& state) {
     state.fapValues.clear();
     state.expressions.clear();
+    state.visemes.clear();
     state.fapFile.clear();
     state.frame = 0.0;
     state.deformation = {};
@@ -267,7 +327,8 @@ void StudioWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void StudioWindow::dropEvent(QDropEvent* event) {
-  if (openAnimation(droppedFile(event->mimeData()))) player_->play();
+  const QString name = droppedFile(event->mimeData());
+  if (openFile(name) && model_->state().fapFile == name.toStdString()) player_->play();
   event->acceptProposedAction();
 }
 

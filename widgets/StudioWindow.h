@@ -25,9 +25,14 @@ class StudioWindow : public QMainWindow {
   AnimationPlayer& player() { return *player_; }
 
  public slots:
+  /// Takes over whatever a file holds, as its content tells: an animation, a facial deformation table, an animation
+  /// table; of other files the message bar says what they are for. @return whether it was taken over
+  bool openFile(const QString& fileName);
   bool openAnimation(const QString& fileName);  ///< the message bar says what is wrong with a file that has a fault
   void playStream(int descriptor);              ///< a .fap stream that is still being written; 0 is standard input
+  bool openAnimationTable(const QString& fileName);  ///< a user's own .json; empty: the one compiled in
   void chooseAnimation();
+  void chooseAnimationTable();
   void playDemonstration();  ///< the animation that comes with the application
   void resetAll();           ///< the neutral face, without expression and animation
 

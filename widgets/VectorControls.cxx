@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QVariant>
 #include <cmath>
 
 #include "ColorTable.h"
@@ -58,12 +59,12 @@ VectorControls::VectorControls(RenderView* view, QWidget* origin, QWidget* paren
     : QWidget(parent), other_(view), grid_(new QGridLayout(this)) {
   setObjectName("vectorControls");
   grid_->setContentsMargins(0, 0, 0, 0);
-  grid_->setVerticalSpacing(3);
+  grid_->setVerticalSpacing(1);
   grid_->setHorizontalSpacing(6);
   add(tr("Against"), origin);
   buildPicture();
   buildArrows();
-  for (int column : {1, 2, 4, 5}) grid_->setColumnStretch(column, 1);
+  grid_->setColumnStretch(1, 1);
   connectAll();
   followChoices();
 }
@@ -101,16 +102,13 @@ QCheckBox* VectorControls::check(const char* name, const QString& text, const QS
   return made;
 }
 
-/// Row after row, two beside each other.
 void VectorControls::add(const QString& name, QWidget* first, QWidget* second) {
-  const int row = count_ / 2, column = 3 * (count_ % 2);
   auto* label = new QLabel(name, this);
   label->setBuddy(first);
-  if (column > 0) label->setContentsMargins(8, 0, 0, 0);
   first->setAccessibleName(name);
-  grid_->addWidget(label, row, column);
-  grid_->addWidget(first, row, column + 1, 1, second ? 1 : 2);
-  if (second) grid_->addWidget(second, row, column + 2);
+  grid_->addWidget(label, count_, 0);
+  grid_->addWidget(first, count_, 1, 1, second ? 1 : 2);
+  if (second) grid_->addWidget(second, count_, 2);
   ++count_;
 }
 
@@ -141,8 +139,8 @@ void VectorControls::buildArrows() {
                  tr("Length of the arrows: the vector as the view shows it, its length in space, or equal, which shows "
                     "directions"));
   scale_ = list("vectorsScale", {tr("Automatic"), tr("As the face"), tr("Given")},
-                tr("Scale of the arrows: a round one that only grows while the face moves, as large as the face is "
-                   "drawn, or given"));
+                tr("Scale of the arrows: a round one that follows the motion: growing at once, shrinking after two "
+                   "seconds of less; as large as the face is drawn; or given"));
   scaleValue_ =
       number("vectorsScaleValue", leastScale, mostScale, 1.0, tr(" mm/mm"), tr("mm of motion in one mm of arrow"));
   color_ = list("vectorsColor", {tr("Length"), tr("Towards viewer"), tr("None")},
@@ -151,7 +149,8 @@ void VectorControls::buildArrows() {
               tr("Colour map: viridis for lengths and coolwarm, which diverges from zero, towards the viewer; or one "
                  "of your choice"));
   range_ = list("vectorsRange", {tr("Automatic"), tr("Up to")},
-                tr("Range of the colours: one that only grows while the face moves, or up to a given length"));
+                tr("Range of the colours: one that follows the motion: growing at once, shrinking after two seconds of "
+                   "less; or up to a given length"));
   rangeValue_ = number("vectorsRangeValue", leastRange, mostRange, 10.0, tr(" mm"), tr("End of the colours, mm"));
   head_ =
       check("vectorsHead", tr("Without the head's rotation"), tr("Leave out the rotation of the head (FAP 48 to 50)"));
@@ -164,9 +163,10 @@ void VectorControls::buildArrows() {
   add(tr("Colours"), color_, map_);
   add(tr("Range"), range_, rangeValue_);
   auto* checks = new QHBoxLayout;
-  for (QCheckBox* box : {head_, whole_, seams_}) checks->addWidget(box);
+  for (QCheckBox* box : {whole_, seams_}) checks->addWidget(box);
   checks->addStretch();
-  grid_->addLayout(checks, grid_->rowCount(), 0, 1, 6);
+  grid_->addWidget(head_, count_, 0, 1, 3);
+  grid_->addLayout(checks, count_ + 1, 0, 1, 3);
 }
 
 void VectorControls::connectAll() {
@@ -238,6 +238,7 @@ MotionVectorOptions VectorControls::options() const {
 
 std::string VectorControls::region() const {
   const QString text = region_->currentText();
+  if (region_->currentData().isValid()) return region_->currentData().toString().toStdString();
   const bool isWord = text.size() > 2 && text[0].isLetter();
   if (region_->currentIndex() == 0) return {};
   return (isWord ? text.toLower() : text).toStdString();
@@ -248,12 +249,16 @@ void VectorControls::setRegion(const Eigen::AlignedBox2d& rectangle) {
   const QString name = QStringList{text(rectangle.min().x()), text(rectangle.min().y()), text(rectangle.max().x()),
                                    text(rectangle.max().y())}
                            .join(',');
+  int row = region_->findText(tr("Dragged"));
   {
     const QSignalBlocker quiet(region_);
-    if (region_->findText(name) < 0) region_->addItem(name);
+    if (row < 0) region_->addItem(tr("Dragged"));
+    row = region_->findText(tr("Dragged"));
+    region_->setItemData(row, name);
+    region_->setItemData(row, tr("%1 mm: left, lower, right and upper end").arg(name), Qt::ToolTipRole);
     region_->setCurrentIndex(-1);
   }
-  region_->setCurrentIndex(region_->findText(name));
+  region_->setCurrentIndex(row);
 }
 
 void VectorControls::setWholeRegion() {

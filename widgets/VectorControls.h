@@ -13,7 +13,7 @@ namespace mien {
 
 class RenderView;
 
-/// How is a motion vector field drawn? Origin, view, region, sampling, arrows, colours, in two columns. Its widgets are
+/// How is a motion vector field drawn? Origin, view, region, sampling, arrows, colours, below each other. Its widgets are
 /// named vectorsView, vectorsRegion, vectorsSampling, vectorsSpacing, vectorsScale, vectorsScaleValue, vectorsLength,
 /// vectorsColor, vectorsColorMap, vectorsRange, vectorsRangeValue, vectorsHead, vectorsWhole and vectorsSeams.
 class VectorControls : public QWidget {
@@ -31,7 +31,8 @@ class VectorControls : public QWidget {
   bool headMotionRemoved() const;
   bool followsView() const;  ///< whether the direction is that of the other view
 
-  /// A rectangle in the picture, mm to the right and up; it joins the list of regions.
+  /// A rectangle in the picture, mm to the right and up; it is the last of the list of regions, in the place of one
+  /// before.
   void setRegion(const Eigen::AlignedBox2d& rectangle);
   void setWholeRegion();
 

@@ -35,8 +35,10 @@ namespace mien {
 
 namespace {
 
-constexpr int sideWidth = 590;     // pixels
+constexpr int sideWidth = 330;     // pixels
 constexpr double shape = 0.9;      // widest figure over its height: a face is upright
+constexpr double wideShape = 1.7;  // with the key beside it
+constexpr double wideFrom = 1.3;   // room over height from which the key has its place beside the face
 constexpr double leastWidth = 55;  // mm, of a figure with a legible key
 constexpr double paperWidth = 85;  // mm, one column of a page
 
@@ -67,20 +69,20 @@ QWidget* VectorPanel::side() {
   numbers_->setObjectName("vectorsNumbers");
   numbers_->setProperty("faint", true);
   numbers_->setMinimumWidth(1);
+  numbers_->setWordWrap(true);
   numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* page = new QWidget;
   auto* fit = new QToolButton(page);
   fit->setObjectName("vectorsFit");
   fit->setText(tr("Fit"));
   fit->setProperty("framed", true);
-  fit->setToolTip(tr("Choose automatic scale and range anew, for the present motion"));
+  fit->setToolTip(
+      tr("Choose automatic scale and range for what is seen now. By themselves they grow at once and shrink only when "
+         "the motion has been smaller for two seconds, so that pictures that follow each other can be compared"));
   fit->setFocusPolicy(Qt::TabFocus);
-  connect(fit, &QToolButton::clicked, this, [this] {
-    motion_->fit();
-    live_->request();
-  });
+  connect(fit, &QToolButton::clicked, this, &VectorPanel::fit);
   auto* last = new QHBoxLayout;
-  last->addWidget(numbers_, 1);
+  last->addStretch();
   last->addWidget(fit);
   last->addWidget(new ExportButton(
       "vectorsExport", model_, [this] { return drawing(); }, [this] { return numbers(); }, page));
@@ -88,6 +90,7 @@ QWidget* VectorPanel::side() {
   column->setContentsMargins(0, 0, 4, 0);
   column->setSpacing(3);
   column->addWidget(controls_);
+  column->addWidget(numbers_);
   column->addLayout(last);
   column->addStretch();
   auto* scroll = new QScrollArea(this);  // a low dock must not make the window higher
@@ -97,6 +100,11 @@ QWidget* VectorPanel::side() {
   scroll->setMinimumWidth(sideWidth);
   scroll->setWidget(page);
   return scroll;
+}
+
+void VectorPanel::fit() {
+  motion_->fit();
+  live_->request();
 }
 
 void VectorPanel::connectAll() {
@@ -125,7 +133,7 @@ void VectorPanel::changeEvent(QEvent* event) {
 
 void VectorPanel::refresh() {
   MotionRequest request;
-  request.moved = model_->state();
+  request.moved = model_->lastingState();
   request.origin = origin_->origin();
   request.movedName = model_->motionText();
   request.frames = model_->frameText();
@@ -140,7 +148,9 @@ void VectorPanel::refresh() {
 void VectorPanel::fitToScreen(MotionRequest& request) const {
   const double height = figure_->height() * millimetresPerPixel, room = figure_->width() * millimetresPerPixel;
   request.options.height = height;
-  request.options.width = std::min(room, std::max(leastWidth, shape * height));
+  request.options.keyBeside = room > wideFrom * height;
+  request.options.width =
+      std::min(room, std::max(leastWidth, (request.options.keyBeside ? wideShape : shape) * height));
   request.options.theme = screenTheme().name;
   request.options.background = Theme::current().panel;
 }
@@ -194,6 +204,7 @@ ExportDrawing VectorPanel::drawing() const {
   options.background = QColor();
   options.width = paperWidth;
   options.height = 0.0;
+  options.keyBeside = false;
   describeMotion(words(), options);
   const auto figure =
       std::make_shared<MotionVectorFigure>(std::vector<MotionVectorPanel>{{*result.field, {}}}, options);

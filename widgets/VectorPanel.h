@@ -31,6 +31,9 @@ class VectorPanel : public QWidget {
 
   const LiveMotion& motion() const { return *motion_; }
 
+ public slots:
+  void fit();  ///< chooses automatic scale and range anew
+
  protected:
   void changeEvent(QEvent* event) override;
 

@@ -46,6 +46,10 @@ QToolButton* ViewFrame::addToggle(const QString& objectName, const QString& text
   return button;
 }
 
+void ViewFrame::addBelow(QWidget* widget) {
+  layout()->addWidget(widget);
+}
+
 void ViewFrame::addGap() {
   header_->addSpacing(gap);
 }

@@ -16,6 +16,7 @@ class ViewFrame : public QFrame {
   QToolButton* addButton(const QString& objectName, const QString& text, const QString& toolTip);
   QToolButton* addToggle(const QString& objectName, const QString& text, const QString& toolTip, bool on);
   void addGap();
+  void addBelow(QWidget* widget);
 
  private:
   QHBoxLayout* header_;

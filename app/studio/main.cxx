@@ -38,11 +38,12 @@ void name() {
 }
 
 /// Reads the arguments, and ends the program after help or version.
-void read(QCommandLineParser& arguments, const QCommandLineOption& play, const QCoreApplication& application) {
+void read(QCommandLineParser& arguments, const QList<QCommandLineOption>& options,
+          const QCoreApplication& application) {
   arguments.setApplicationDescription("Shows and animates a PDE face.");
   arguments.addPositionalArgument(
       "FILE.fap", "A facial animation to open, .fap or .csv; - plays a .fap stream from standard input.", "[FILE.fap]");
-  arguments.addOption(play);
+  arguments.addOptions(options);
   arguments.addHelpOption();
   arguments.addVersionOption();
   arguments.process(application);
@@ -54,7 +55,10 @@ int main(int argc, char** argv) {
   name();
   QCommandLineParser arguments;
   const QCommandLineOption play("play", "Play the file at once; without a file, the demonstration.");
-  if (asksForText(argc, argv)) read(arguments, play, QCoreApplication(argc, argv));
+  const QCommandLineOption table(
+      "fat", "Your own animation table, which says what each FAP moves (`mien fat check` tells what is wrong with it).",
+      "FILE.json");
+  if (asksForText(argc, argv)) read(arguments, {play, table}, QCoreApplication(argc, argv));
   QSurfaceFormat::setDefaultFormat(
       QVTKOpenGLNativeWidget::defaultFormat());  // before the application, or views stay black
   QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
@@ -65,16 +69,17 @@ int main(int argc, char** argv) {
   const QtMessageHandler usual = qInstallMessageHandler(sayWithoutDisplay);
   QApplication application(argc, argv);
   qInstallMessageHandler(usual);
-  read(arguments, play, application);
+  read(arguments, {play, table}, application);
 
   mien::Theme::apply(mien::Theme::Kind::Light, application);
   mien::StudioWindow window;
   window.show();
+  if (arguments.isSet(table)) window.openAnimationTable(arguments.value(table));
   const QStringList files = arguments.positionalArguments();
   if (!files.isEmpty() && files.first() == "-") {
     window.playStream(0);
   } else if (!files.isEmpty()) {
-    if (window.openAnimation(files.first()) && arguments.isSet(play)) window.player().play();
+    if (window.openFile(files.first()) && arguments.isSet(play)) window.player().play();
   } else if (arguments.isSet(play)) {
     window.playDemonstration();
   }

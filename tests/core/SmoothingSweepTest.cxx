@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <thread>
 
 #include "RandomCurves.h"
 #include "SmoothingSweep.h"
@@ -64,26 +67,47 @@ TEST(SmoothingSweep, ThreadsChangeNothing) {
         << i;
 }
 
+/// The other threads wait with their first record until the question that ends the work has been asked; else they could
+/// finish it all before.
 TEST(SmoothingSweep, CancelledHalfWayLeavesNothing) {
   for (const int threads : {1, 3}) {
     SmoothingSweepOptions options = smallSweep();
     options.threads = threads;
-    int asked = 0;
+    std::atomic<int> asked{0};
     double last = 0.0;
+    const auto asker = std::this_thread::get_id();
+    options.distance = [&](const FaceSample&) {
+      while (std::this_thread::get_id() != asker && asked < 2) std::this_thread::yield();
+      return 0.0;
+    };
     const auto records = smoothingSweep(randomFace(), options, [&](double share) {
       EXPECT_GT(share, last);
       last = share;
       return ++asked < 2;
     });
     EXPECT_FALSE(records);
-    EXPECT_LE(asked, 2);
+    EXPECT_EQ(asked, 2);
   }
 }
 
-TEST(SmoothingSweep, ProgressRunsToTheEnd) {
-  double last = 0.0;
-  smoothingSweep(randomFace(), smallSweep(), [&](double share) { return last = share, true; });
-  EXPECT_EQ(last, 1.0);
+/// Also where the thread that asks has nothing left to do and the others still work.
+TEST(SmoothingSweep, ProgressRunsToTheEndAndCanBeStoppedUntilThen) {
+  for (const bool stops : {false, true}) {
+    SmoothingSweepOptions options = smallSweep();
+    options.threads = 3;
+    const auto asker = std::this_thread::get_id();
+    options.distance = [&](const FaceSample&) {
+      if (std::this_thread::get_id() != asker) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      return 0.0;
+    };
+    double last = 0.0;
+    const auto records = smoothingSweep(randomFace(), options, [&](double share) {
+      last = share;
+      return !stops || share < 1.0;
+    });
+    EXPECT_EQ(last, 1.0);
+    EXPECT_EQ(!records, stops);
+  }
 }
 
 TEST(SmoothingSweep, AsksForDistancesWhereItCan) {

@@ -1,6 +1,6 @@
 // Draws Mien Studio's window into a PNG file, for the documentation and for looking at it:
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
-// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, tab=4, fap=53:200, a=2, file=X.fap,
+// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200, a=2, file=X.fap,
 // frame=100, range=50:120, dock=plotDock, press=fapAll, scale=0.75, wait=2000, measure.
 
 #include <QAbstractButton>
@@ -101,6 +101,8 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "unlinked") click(window, "curveLink");
   if (key == "tab") window.findChild<QTabBar*>("fapTabs")->setCurrentIndex(value.toInt());
   if (key == "expression") model.change([&](mien::FaceState& state) { state.expressions[value.toStdString()] = 1.0; });
+  if (key == "viseme") model.change([&](mien::FaceState& state) { state.visemes[value.toStdString()] = 1.0; });
+  if (key == "play") window.player().play();
   if (key == "fap")
     model.change([&](mien::FaceState& state) {
       state.fapValues[value.section(':', 0, 0).toInt()] = value.section(':', 1).toDouble();

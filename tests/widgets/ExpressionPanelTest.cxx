@@ -1,3 +1,5 @@
+#include <QAction>
+#include <QComboBox>
 #include <QPushButton>
 #include <QSpinBox>
 #include <cmath>
@@ -71,6 +73,58 @@ TEST_F(ExpressionPanel, SlidersMixAndTheFAPsAddUp) {
   EXPECT_EQ(window->model().state().expressions, (std::map<std::string, double>{{"anger", 1.0}}))
       << "a name chooses it alone";
   EXPECT_EQ(find<QSpinBox>("expressionPercent_joy")->value(), 0);
+}
+
+/// As a user would, in the list of a row.
+void chooseViseme(QComboBox* row, const QString& name) {
+  row->setCurrentIndex(row->findData(name));
+  emit row->activated(row->currentIndex());
+}
+
+TEST_F(ExpressionPanel, EachVisemeHasWordsAndMovesTheMouth) {
+  auto* first = find<QComboBox>("visemeName1");
+  ASSERT_EQ(first->count(), 15);
+  EXPECT_FALSE(find<mien::ValueSlider>("visemeSlider1")->isEnabled());
+  for (int i = 1; i < first->count(); ++i) {
+    EXPECT_TRUE(first->itemText(i).contains('(')) << i;
+    EXPECT_FALSE(first->itemData(i, Qt::ToolTipRole).toString().isEmpty()) << i;
+    chooseViseme(first, first->itemData(i).toString());
+    EXPECT_EQ(window->model().state().visemes,
+              (std::map<std::string, double>{{first->itemData(i).toString().toStdString(), 1.0}}));
+    ASSERT_TRUE(window->model().update());
+    EXPECT_GT(largestMovement(), 0.1) << i;
+  }
+  EXPECT_EQ(find<QSpinBox>("visemePercent1")->value(), 100);
+  first->setCurrentIndex(0);
+  emit first->activated(0);
+  EXPECT_TRUE(window->model().state().visemes.empty());
+}
+
+TEST_F(ExpressionPanel, ASecondVisemeSharesAndSlidersMix) {
+  auto *first = find<QComboBox>("visemeName1"), *second = find<QComboBox>("visemeName2");
+  chooseViseme(first, "A");
+  chooseViseme(second, "p b m");
+  using Mixture = std::map<std::string, double>;
+  EXPECT_EQ(window->model().state().visemes, (Mixture{{"A", 0.5}, {"p b m", 0.5}}));
+  find<mien::ValueSlider>("visemeSlider2")->setValue(20);
+  EXPECT_EQ(window->model().state().visemes, (Mixture{{"A", 0.5}, {"p b m", 0.2}}));
+  chooseViseme(second, "A");
+  EXPECT_EQ(first->currentData().toString(), "p b m") << "they change places";
+  EXPECT_EQ(window->model().state().visemes, (Mixture{{"A", 0.5}, {"p b m", 0.2}}));
+  find<QSpinBox>("visemePercent1")->setValue(0);
+  EXPECT_EQ(window->model().state().visemes, (Mixture{{"A", 0.5}}));
+  EXPECT_EQ(first->currentData().toString(), "p b m") << "the row keeps its viseme";
+  find<QPushButton>("expression_joy")->click();
+  EXPECT_EQ(window->model().state().visemes.size(), 1u) << "an expression goes with speech";
+  const double jaw = window->model().shownFAP(3);
+  EXPECT_NE(jaw, 0.0);
+  find<QAction>("actionNeutral")->trigger();
+  EXPECT_TRUE(window->model().state().visemes.empty());
+  EXPECT_EQ(first->currentIndex(), 0);
+  EXPECT_EQ(second->currentIndex(), 0);
+  window->model().change([](mien::FaceState& state) { state.visemes = {{"U", 0.25}}; });
+  EXPECT_EQ(first->currentData().toString(), "U");
+  EXPECT_EQ(find<QSpinBox>("visemePercent1")->value(), 25);
 }
 
 TEST_F(ExpressionPanel, TheFAPSlidersShowWhereAnExpressionTakesTheFace) {

@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QComboBox>
+#include <QDir>
 #include <QDockWidget>
 #include <QFile>
 #include <QLabel>
@@ -12,6 +13,7 @@
 #include "AnimationPlayer.h"
 #include "ExportButton.h"
 #include "FAPPlotPanel.h"
+#include "FAPText.h"
 #include "FaceModel.h"
 #include "FigureView.h"
 #include "StudioFixture.h"
@@ -44,6 +46,36 @@ TEST_F(FAPPlotPanel, PlotsWhatMovesInUnitsOverSeconds) {
   ASSERT_EQ(series.x.size(), 101u);
   EXPECT_EQ(series.x[50], 2.0);
   EXPECT_EQ(series.y[50], 1000.0);
+}
+
+TEST_F(FAPPlotPanel, MarksWhatHasNoSurface) {
+  QFile file(QDir::temp().filePath(QString("mien_eyes_%1.fap").arg(QCoreApplication::applicationPid())));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("2.1 eyes 25 2\n");
+  for (int frame = 0; frame < 2; ++frame)
+    file.write(QString::fromStdString(maskText({19, 23}) + "\n").toUtf8() +
+               QString("%1 %2 %3\n").arg(frame).arg(100 * frame).arg(900 * frame).toUtf8());
+  file.close();
+  ASSERT_TRUE(window->openAnimation(file.fileName()));
+  auto* list = find<QListWidget>("plotFAPs");
+  ASSERT_EQ(list->count(), 2);
+  EXPECT_FALSE(list->item(0)->text().contains("no surface"));
+  EXPECT_TRUE(list->item(1)->text().endsWith("(no surface)")) << list->item(1)->text().toStdString();
+  EXPECT_TRUE(list->item(0)->isSelected());
+  EXPECT_FALSE(list->item(1)->isSelected());
+  EXPECT_TRUE(find<QLabel>("plotHint")->text().startsWith("2 FAPs change, 1 of them without effect"))
+      << find<QLabel>("plotHint")->text().toStdString();
+  file.remove();
+}
+
+TEST_F(FAPPlotPanel, FollowsAStreamThatGrows) {
+  std::vector<mien::FAPFrame> frames(3);
+  for (int i = 0; i < 3; ++i) frames[i].setValue(33, 10.0 * i);
+  window->model().appendLive(25.0, "live", frames);
+  window->model().appendLive(25.0, "live", frames);
+  ASSERT_TRUE(waitUntil(
+      [this] { return !figure->figure().panels.empty() && figure->figure().panels[0].series[0].x.size() == 6; }));
+  EXPECT_EQ(panel->shownEnd(), 5.0 / 25.0);
 }
 
 TEST_F(FAPPlotPanel, AClickInTheListTakesAFAPAwayAndBrings) {

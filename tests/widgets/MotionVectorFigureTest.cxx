@@ -265,4 +265,18 @@ TEST(ArrowShape, IsAsLongAsAskedHoweverShort) {
   EXPECT_TRUE(mien::arrowShape({1.0, 1.0}, {1.0, 1.0}).isEmpty());
 }
 
+TEST_F(MotionVectorFigure, AKeyBesideThePanelLeavesTheHeightToTheFace) {
+  mien::MotionVectorOptions options;
+  options.width = 160.0;
+  options.height = 90.0;
+  const mien::MotionVectorFigure below({sheet(swirl)}, options);
+  options.keyBeside = true;
+  const mien::MotionVectorFigure beside({sheet(swirl)}, options);
+  EXPECT_EQ(beside.size(), below.size());
+  const QRectF plot = beside.panels()[0].plot();
+  EXPECT_GT(plot.height(), 1.1 * below.panels()[0].plot().height());
+  EXPECT_LT(plot.right(), 160.0 * 100.0 - 6200.0) << "the key has its own 62 mm";
+  EXPECT_NE(svgOf(beside).find("Motion in space (mm)"), std::string::npos);
+}
+
 }  // namespace

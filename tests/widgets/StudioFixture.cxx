@@ -37,11 +37,16 @@ CountingWindow* vtkMessages() {
   return messages;
 }
 
+void setDrawn(mien::StudioWindow& window, bool drawn) {
+  for (const char* view : {"faceView", "curveView"}) window.findChild<QWidget*>(view)->setUpdatesEnabled(drawn);
+}
+
 }  // namespace
 
 StudioFixture::StudioFixture() {
   vtkMessages()->texts.clear();
   window = std::make_unique<mien::StudioWindow>();
+  setDrawn(*window, false);
   window->show();
   EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
   settle();
@@ -55,6 +60,11 @@ void StudioFixture::TearDown() {
   EXPECT_EQ(vtkMessages()->texts, "");
 }
 
+void StudioFixture::drawViews() {
+  setDrawn(*window, true);
+  settle();
+}
+
 void StudioFixture::settle() {
   for (int i = 0; i < 3; ++i) QApplication::processEvents(QEventLoop::AllEvents);
 }
@@ -65,6 +75,10 @@ bool StudioFixture::waitUntil(const std::function<bool()>& condition, int millis
 
 double StudioFixture::largestDisplacement() {
   settle();
+  return largestMovement();
+}
+
+double StudioFixture::largestMovement() {
   auto* curves = vtkPolyData::SafeDownCast(window->model().pipeline().curves()->GetOutputDataObject(0));
   return curves->GetPointData()->GetArray("Displacement")->GetMaxNorm();
 }

@@ -15,6 +15,9 @@
 class vtkPolyData;
 
 /// A Studio window on the test's display; an unexpected VTK error or warning fails the test.
+///
+/// Its two views are drawn only when a test takes their picture, since without a graphics card drawing them is most of
+/// the time; drawViews() has them drawn as on a user's screen.
 class StudioFixture : public testing::Test {
  protected:
   StudioFixture();
@@ -30,10 +33,12 @@ class StudioFixture : public testing::Test {
   }
 
   void settle();  ///< lets changes reach the pipeline and the screen
+  void drawViews();
   bool waitUntil(const std::function<bool()>& condition, int milliseconds = 5000);
 
   /// Where a point of the curves is, in mm, to see whether it moves.
   double largestDisplacement();
+  double largestMovement();  ///< the same, of the last update, without drawing
   vtkPolyData* surface();
 
   /// With the left button down, which QTest::mouseMove cannot do.

@@ -1,15 +1,29 @@
+#include <vtkAlgorithm.h>
 #include <vtkCamera.h>
 #include <vtkMath.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
 
 #include <QAction>
 #include <QApplication>
+#include <QDir>
 #include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMimeData>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QToolButton>
+#include <QUrl>
 #include <array>
 #include <cmath>
 
+#include "ColorScale.h"
 #include "CurveView.h"
+#include "FAPText.h"
 #include "FaceModel.h"
 #include "StudioFixture.h"
 #include "Theme.h"
@@ -76,6 +90,7 @@ TEST_F(StudioWindow, SidesAreLookedAtFromTheRightDirection) {
 }
 
 TEST_F(StudioWindow, DraggingTurnsTheFaceAndTheLinkedCurves) {
+  drawViews();
   auto* face = find<FaceView>("faceView");
   auto* curves = find<CurveView>("curveView");
   const auto before = direction(face);
@@ -120,6 +135,138 @@ TEST_F(StudioWindow, CurvePartsCanBeHidden) {
     EXPECT_NE(now, last) << part;
     last = now;
   }
+}
+
+/// Whether a view shows all of the curves as they are now.
+bool holdsTheCurves(mien::RenderView* view, mien::FaceModel& model) {
+  auto* curves = vtkPolyData::SafeDownCast(model.pipeline().curves()->GetOutputDataObject(0));
+  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i) {
+    double x = curves->GetPoint(i)[0], y = curves->GetPoint(i)[1], z = curves->GetPoint(i)[2];
+    view->renderer()->WorldToView(x, y, z);
+    if (std::abs(x) > 1.0 || std::abs(y) > 1.0) return false;
+  }
+  return true;
+}
+
+TEST_F(StudioWindow, AWideOpenJawAndATurnedHeadStayInTheViews) {
+  auto* face = find<FaceView>("faceView");
+  auto* curves = find<CurveView>("curveView");
+  const double before = face->camera()->GetDistance();
+  for (const char* side : {"lookFront", "lookFortyFive", "lookSide"}) {
+    find<QToolButton>(side)->click();
+    window->model().change([](mien::FaceState& state) {
+      state.fapValues[3] = 1000.0;
+      state.fapValues[48] = 40000.0;
+    });
+    settle();
+    EXPECT_TRUE(holdsTheCurves(face, window->model())) << side;
+    EXPECT_TRUE(holdsTheCurves(curves, window->model())) << side;
+  }
+  find<QAction>("actionNeutral")->trigger();
+  find<QToolButton>("lookFront")->click();
+  settle();
+  EXPECT_NEAR(face->camera()->GetDistance(), before, 1e-6 * before) << "a face at rest fills the view again";
+}
+
+TEST_F(StudioWindow, TheViewHoldsAWholeAnimationFromTheStart) {
+  auto* face = find<FaceView>("faceView");
+  const QString name = QDir::temp().filePath(QString("mien_nod_%1.fap").arg(QCoreApplication::applicationPid()));
+  QFile file(name);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("2.1 nod 25 9\n");
+  for (int i = 0; i < 9; ++i)
+    file.write(QString("%1\n%2 %3\n").arg(QString::fromStdString(maskText({48}))).arg(i).arg(10000 * i).toUtf8());
+  file.close();
+  ASSERT_TRUE(window->openAnimation(name));
+  settle();
+  const double distance = face->camera()->GetDistance();
+  for (int i = 0; i < 9; ++i) {
+    window->model().showFrame(i);
+    ASSERT_TRUE(window->model().update());
+    EXPECT_TRUE(holdsTheCurves(face, window->model())) << i;
+    EXPECT_EQ(face->camera()->GetDistance(), distance) << i;
+  }
+  file.remove();
+}
+
+TEST_F(StudioWindow, TheColourScaleTellsWhatLiesBeyondIt) {
+  auto* scale = find<mien::ColorScale>("curveScale");
+  EXPECT_EQ(scale->most(), 0.0);
+  window->model().change([](mien::FaceState& state) { state.fapValues[3] = 1000.0; });
+  settle();
+  EXPECT_EQ(scale->most(), largestDisplacement());
+  EXPECT_TRUE(scale->isExceeded());
+  EXPECT_GE(scale->y(), find<CurveView>("curveView")->geometry().bottom()) << "below the face, not on it";
+}
+
+void drop(mien::StudioWindow& window, const QString& file) {
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(file)});
+  QDragEnterEvent enter(QPoint(600, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window, &enter);
+  QDropEvent event(QPointF(600, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&window, &event);
+}
+
+TEST_F(StudioWindow, ADroppedFileIsTakenForWhatItHolds) {
+  QTemporaryDir folder;
+  const auto write = [&](const char* name, const QByteArray& text) {
+    QFile file(folder.filePath(name));
+    file.open(QIODevice::WriteOnly);
+    file.write(text);
+    return file.fileName();
+  };
+  QByteArray table = "region,a1,a2,a3,a4,a5,a6,b1,b2,b3,b4,b5,b6\n";
+  for (int region = 1; region <= 16; ++region) table += QByteArray::number(region) + ",0,0,0,1,0,0,0,0,0,0,1,0.02\n";
+  const QString bent = write("bent.csv", table);
+  drop(*window, bent);
+  EXPECT_EQ(window->model().state().deformation.table, bent.toStdString());
+  EXPECT_TRUE(message().startsWith("bent.csv bends the face")) << message().toStdString();
+  drop(*window, write("points.csv", "landmark,vertex,x,y,z\n0,1225,-73,36,36\n"));
+  EXPECT_TRUE(message().contains("mien acquire")) << message().toStdString();
+  drop(*window, write("markers.csv", "marker,neutral_x,neutral_y,expression_x,expression_y\npupil_left,1,2,3,4\n"));
+  EXPECT_TRUE(message().contains("mien fdt fit")) << message().toStdString();
+  drop(*window, write("head.ply", "ply\nformat ascii 1.0\n"));
+  EXPECT_TRUE(message().contains("no animation and no table")) << message().toStdString();
+  EXPECT_EQ(window->model().frameCount(), 0);
+  drop(*window, write("faps.csv", "FAP19,FAP20\n0,0\n100,0\n"));
+  EXPECT_EQ(window->model().frameCount(), 2);
+  EXPECT_EQ(window->model().state().deformation.table, bent.toStdString());
+}
+
+TEST_F(StudioWindow, AnAnimationTableOfOnesOwnMovesTheFaceAndIsReadAnew) {
+  QTemporaryDir folder;
+  const QString name = folder.filePath("own.json");
+  QFile builtIn(QString(MIEN_TEST_DIR) + "/../data/animation/animation_table.json");
+  ASSERT_TRUE(builtIn.open(QIODevice::ReadOnly));
+  const QJsonObject whole = QJsonDocument::fromJson(builtIn.readAll()).object();
+  const auto write = [&](int without) {
+    QJsonObject table = whole;
+    QJsonArray faps;
+    for (const QJsonValue& entry : whole["faps"].toArray())
+      if (entry.toObject()["fap"].toInt() != without) faps.append(entry);
+    table["faps"] = faps;
+    QFile file(name);
+    file.open(QIODevice::WriteOnly);
+    file.write(QJsonDocument(table).toJson());
+  };
+  write(14);
+  auto* back = find<QAction>("actionBuiltInTable");
+  EXPECT_FALSE(back->isEnabled());
+  EXPECT_TRUE(window->model().moves(14));
+  drop(*window, name);
+  EXPECT_EQ(window->model().state().animationTable, name.toStdString()) << message().toStdString();
+  EXPECT_FALSE(window->model().moves(14));
+  EXPECT_TRUE(message().startsWith("own.json says now")) << message().toStdString();
+  write(0);
+  ASSERT_TRUE(window->openAnimationTable(name));
+  EXPECT_TRUE(window->model().moves(14)) << "read anew";
+  QFile(name).open(QIODevice::WriteOnly);
+  EXPECT_FALSE(window->openAnimationTable(name));
+  EXPECT_TRUE(window->model().moves(14));
+  EXPECT_TRUE(back->isEnabled());
+  back->trigger();
+  EXPECT_EQ(window->model().state().animationTable, "");
 }
 
 TEST_F(StudioWindow, TheNeutralFaceIsOneCommandAway) {

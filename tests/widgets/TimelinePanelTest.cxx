@@ -73,6 +73,7 @@ TEST_F(TimelinePanel, PlaysAtTheRateOfTheFileAndStopsAtTheEnd) {
 }
 
 TEST_F(TimelinePanel, BeginsAgainWhenItLoops) {
+  drawViews();
   ASSERT_TRUE(window->openAnimation(writeLids(5, 50)));
   int wraps = 0, last = 0;
   QObject::connect(&window->model(), &mien::FaceModel::stateChanged, [&] {
@@ -96,6 +97,7 @@ TEST_F(TimelinePanel, ClosingTheFileStopsAndShowsTheNeutralFace) {
 }
 
 TEST_F(TimelinePanel, TheWindowMayCloseWhilePlaying) {
+  drawViews();
   ASSERT_TRUE(window->openAnimation(writeLids(100, 50)));
   window->player().play();
   ASSERT_TRUE(waitUntil([this] { return window->model().frameIndex() > 3; }));
@@ -199,6 +201,39 @@ TEST_F(TimelinePanel, ADroppedFilePlays) {
   EXPECT_TRUE(window->player().isPlaying());
 }
 
+TEST_F(TimelinePanel, AFileThatWasOverwrittenIsReadAnew) {
+  const QString name = writeLids(11, 5);
+  ASSERT_TRUE(window->openAnimation(name));
+  window->model().showFrame(4);
+  writeLids(20, 10);
+  ASSERT_TRUE(window->openAnimation(name));
+  EXPECT_EQ(window->model().motion().frames.size(), 20u);
+  EXPECT_EQ(window->player().rangeEnd(), 19);
+  EXPECT_EQ(find<ValueSlider>("timelinePosition")->maximum(), 19);
+  find<QSpinBox>("timelineFrame")->setValue(20);
+  EXPECT_EQ(window->model().frameNumber(), "19");
+  EXPECT_EQ(window->model().shownFAP(19), 380.0);
+  EXPECT_EQ(find<QLabel>("timelineTime")->text(), "1.90 s of 1.90 s, 10 frames/s, frame number 19");
+}
+
+TEST_F(TimelinePanel, AFileThatWasOverwrittenWithNonsenseStaysAsItWasRead) {
+  const QString name = writeLids(11, 5);
+  ASSERT_TRUE(window->openAnimation(name));
+  window->model().showFrame(4);
+  settle();
+  QFile file(name);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("2.1 lids 5 1\nno mask\n");
+  file.close();
+  EXPECT_FALSE(window->openAnimation(name));
+  EXPECT_TRUE(message().startsWith(name + ":2: ")) << message().toStdString();
+  EXPECT_EQ(window->model().frameCount(), 11);
+  EXPECT_EQ(window->model().frameIndex(), 4);
+  EXPECT_EQ(window->model().shownFAP(19), 80.0);
+  EXPECT_GT(largestMovement(), 0.1);
+}
+
+/// The pipeline runs for every frame, the views for none of them.
 TEST_F(TimelinePanel, RealFilesOpenAndMoveTheFace) {
   for (const char* name : {"7_basic_emotion.fap", "basic_emotion.fap"}) {
     const QString file = QString(MIEN_REFERENCE_DIR) + "/faps/" + name;
@@ -207,7 +242,8 @@ TEST_F(TimelinePanel, RealFilesOpenAndMoveTheFace) {
     double most = 0.0;
     for (int frame = 0; frame < window->model().frameCount(); ++frame) {
       window->model().showFrame(frame);
-      most = std::max(most, largestDisplacement());
+      ASSERT_TRUE(window->model().update());
+      most = std::max(most, largestMovement());
     }
     EXPECT_GT(most, 1.0) << name;
   }

@@ -17,7 +17,9 @@
 #include "LiveMotion.h"
 #include "MotionField.h"
 #include "MotionVectorFigure.h"
+#include "RecentMotion.h"
 #include "StudioFixture.h"
+#include "VectorControls.h"
 #include "VectorPanel.h"
 #include "VectorView.h"
 
@@ -142,6 +144,44 @@ TEST_F(VectorPanel, ScaleAndRangeStayWhileTheMotionShrinksAndFitChoosesThemAnew)
   find<QToolButton>("vectorsFit")->click();
   EXPECT_TRUE(comes([&] { return view->figure()->scale() < scale; }));
   EXPECT_LT(view->figure()->rangeEnd(), end);
+}
+
+TEST_F(VectorPanel, ScaleAndRangeFollowAMotionThatStaysSmaller) {
+  setFAP(33, 400.0);
+  EXPECT_TRUE(comes([this] { return !picture().arrows.empty(); }));
+  const double scale = view->figure()->scale(), end = view->figure()->rangeEnd();
+  double value = 60.0;
+  EXPECT_TRUE(comes([&] {
+    setFAP(33, value = value < 60.5 ? 61.0 : 60.0);
+    return view->figure()->scale() < 0.5 * scale && view->figure()->rangeEnd() < 0.5 * end;
+  }));
+}
+
+TEST(RecentMotion, TellsTheMostOfTheLastTwoSecondsAndNothingBefore) {
+  mien::RecentMotion recent;
+  const mien::RecentMotion::Time start{};
+  const auto at = [&](int i) { return start + std::chrono::milliseconds(100 * i); };
+  EXPECT_FALSE(recent.add(at(0), {30.0, 40.0}));
+  for (int i = 1; i < 20; ++i) EXPECT_FALSE(recent.add(at(i), {1.0 + 0.1 * i, 5.0})) << i;
+  const auto most = recent.add(at(20), {1.0, 5.0});
+  ASSERT_TRUE(most);
+  EXPECT_DOUBLE_EQ(most->drawn, 2.9) << "the long one is two seconds old";
+  EXPECT_DOUBLE_EQ(most->colored, 5.0);
+  recent.clear();
+  for (int i = 0; i < 5; ++i) EXPECT_FALSE(recent.add(at(100 * i), {1.0, 1.0})) << "ten pictures at least";
+}
+
+TEST_F(VectorPanel, RectanglesTakeEachOthersPlaceInTheList) {
+  auto* regions = find<QComboBox>("vectorsRegion");
+  auto* controls = find<mien::VectorControls>("vectorControls");
+  const int before = regions->count();
+  for (int i = 0; i < 5; ++i) controls->setRegion({Eigen::Vector2d(-10.0 - i, -20.0), Eigen::Vector2d(10.0, 20.0)});
+  EXPECT_EQ(regions->count(), before + 1);
+  EXPECT_EQ(controls->region(), "-14.0,-20.0,10.0,20.0");
+  EXPECT_TRUE(comes([this] {
+    const auto& rectangle = shown().options.picture.region.rectangle;
+    return rectangle && rectangle->min().x() == -14.0;
+  }));
 }
 
 TEST_F(VectorPanel, ControlsReachTheFigure) {

@@ -18,6 +18,8 @@ constexpr double rowGap = 3.0;          // mm
 constexpr double wordsGap = 2.0;        // mm, above caption and note
 constexpr double referenceRoom = 0.25;  // longest reference arrow over width of the figure
 constexpr double keyGap = 2.5;          // mm, above the key
+constexpr double keyWidth = 62.0;       // mm, of a key beside the panels
+constexpr double besideGap = 4.0;       // mm, before it
 constexpr double arrowRoom = 0.085;     // longest arrow over width of a panel: neighbours still can be told apart
 constexpr double mostShape = 1.5;       // height over width of a panel
 constexpr double leastEqual = 0.01;     // of the longest vector: shorter ones have no arrow of equal length
@@ -119,19 +121,28 @@ void MotionVectorFigure::chooseRange() {
 }
 
 void MotionVectorFigure::chooseScale(double room) {
-  style_.scale = options_.scale.value_or(automaticScale(longest_, room / figureUnitsPerMillimetre));
+  arrowRoom_ = room;
+  style_.scale = options_.scale.value_or(scaleFor(longest_));
+}
+
+double MotionVectorFigure::scaleFor(double longest) const {
+  return automaticScale(longest, arrowRoom_ / figureUnitsPerMillimetre);
+}
+
+double MotionVectorFigure::panelsWidth() const {
+  return options_.keyBeside ? std::max(units(leastPanel), inner_ - units(keyWidth + besideGap)) : inner_;
 }
 
 int MotionVectorFigure::columnCount(int panels) const {
   const int count = std::max(1, panels);
-  const int fitting = std::max(1, static_cast<int>((inner_ + units(columnGap)) / units(leastPanel + columnGap)));
+  const int fitting = std::max(1, static_cast<int>((panelsWidth() + units(columnGap)) / units(leastPanel + columnGap)));
   const int columns = std::min({options_.columns > 0 ? options_.columns : fitting, fitting, count});
   const int rows = (count + columns - 1) / columns;
   return options_.columns > 0 ? columns : (count + rows - 1) / rows;  // no row with a single panel beside full ones
 }
 
 double MotionVectorFigure::cellWidth(int columns) const {
-  return (inner_ - (columns - 1) * units(columnGap)) / columns;
+  return (panelsWidth() - (columns - 1) * units(columnGap)) / columns;
 }
 
 double MotionVectorFigure::headingHeight() const {
@@ -176,8 +187,8 @@ void MotionVectorFigure::layOut() {
   chooseScale(arrowRoom * cellWidth);
   chooseReference();
   const bool moves = std::any_of(all_.begin(), all_.end(), [](const VectorPicture& p) { return !p.arrows.empty(); });
-  if (moves) key_.emplace(style_, reference_, inner_, beyond_);
-  const double keyHeight = key_ ? key_->height() : 0.0;
+  if (moves) addKey();
+  const double keyHeight = key_ && !options_.keyBeside ? key_->height() : 0.0;
   const double words = words_->belowHeight() + (words_->belowHeight() > 0.0 ? units(wordsGap) : 0.0);
   const double below = units(keyGap) + keyHeight + words + units(border);
   const double top = units(border) + words_->titleHeight();
@@ -188,7 +199,13 @@ void MotionVectorFigure::layOut() {
   keyTop_ = top + rows * panelHeight + between + units(keyGap);
   size_.setHeight(std::ceil(std::max(keyTop_ - units(keyGap) + below, units(options_.height))));
   wordsTop_ = size_.height() - units(border) - words_->belowHeight();
-  if (key_) key_.emplace(style_, reference_, inner_, beyond_);  // the scale may follow the size of the face
+  if (key_) addKey();  // the scale may follow the size of the face
+  keyLeft_ = options_.keyBeside ? units(border + besideGap) + panelsWidth() : units(border);
+  if (key_ && options_.keyBeside) keyTop_ = top + std::max(0.0, 0.5 * (wordsTop_ - top - key_->height()));
+}
+
+void MotionVectorFigure::addKey() {
+  key_.emplace(style_, reference_, options_.keyBeside ? inner_ - panelsWidth() - units(besideGap) : inner_, beyond_);
 }
 
 /// @return what a panel needs below its heading
@@ -213,7 +230,7 @@ void MotionVectorFigure::paint(QPainter& painter) const {
   if (style_.theme.background.isValid()) painter.fillRect(QRectF(QPointF(), size_), style_.theme.background);
   words_->paintTitle(painter, style_.theme);
   for (size_t i = 0; i < panels_.size(); ++i) panels_[i].paint(painter, style_, headingPlaces_[i]);
-  if (key_) key_->paint(painter, QPointF(units(border), keyTop_));
+  if (key_) key_->paint(painter, QPointF(keyLeft_, keyTop_));
   words_->paintBelow(painter, style_.theme, wordsTop_);
 }
 

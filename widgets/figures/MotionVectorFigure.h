@@ -40,6 +40,8 @@ class MotionVectorFigure {
   void paint(QPainter& painter) const;
 
   double scale() const { return style_.scale; }  ///< mm of motion per mm of arrow
+  /// The scale that would be chosen for vectors of this length (mm) in the same figure.
+  double scaleFor(double longest) const;
   double rangeBegin() const { return style_.rangeBegin; }
   double rangeEnd() const { return style_.rangeEnd; }
   double reference() const { return reference_; }  ///< motion of the reference arrow, mm; 0: there is none
@@ -61,6 +63,8 @@ class MotionVectorFigure {
   double placePanels(double top, const QSizeF& free, int columns);
   double faceScaleWithin(const QSizeF& cell);
   VectorPanelPainter::Margins overhang(double faceScale) const;
+  void addKey();
+  double panelsWidth() const;
   int columnCount(int panels) const;
   double cellWidth(int columns) const;
   double headingHeight() const;
@@ -78,6 +82,8 @@ class MotionVectorFigure {
   double longest_ = 0.0;  ///< of all arrows, as their length is measured, mm
   double reference_ = 0.0;
   std::pair<bool, bool> beyond_ = {false, false};
+  double arrowRoom_ = 0.0;  ///< figure units
+  double keyLeft_ = 0.0;
   double keyTop_ = 0.0, wordsTop_ = 0.0;
 };
 

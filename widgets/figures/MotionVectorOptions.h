@@ -29,8 +29,9 @@ struct MotionVectorOptions {
   std::optional<std::array<double, 2>> range;  ///< mm at the ends of the colours; without it from the vectors
   Length length = Length::Seen;
   Color color = Color::Magnitude;
-  std::string colorMap;  ///< of ColorTable; "_r" behind the name turns it around; empty: viridis, towards coolwarm
-  bool seams = true;     ///< whether the lines between patches are drawn
+  std::string colorMap;    ///< of ColorTable; "_r" behind the name turns it around; empty: viridis, towards coolwarm
+  bool keyBeside = false;  ///< the key stands to the right of the panels, not below them
+  bool seams = true;       ///< whether the lines between patches are drawn
 
   std::string theme = "light";       ///< of FigureTheme
   QColor background;                 ///< invalid: the theme's

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -25,6 +27,7 @@ namespace {
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr int minimumColumns = 3;
 constexpr int largestSide = 4096;
+constexpr std::chrono::milliseconds longestWait(20);  // a word that was missed costs no more
 
 /// One surface of the sweep with what several measures share.
 struct Subject {
@@ -112,15 +115,16 @@ class Work {
       records_[i] = measure(face_, sweep_, *references_[scheme], sweep_.schemes[scheme],
                             sweep_.smoothing[i % sweep_.smoothing.size()]);
       ++done_;
+      finished_.notify_one();
       if (!goOn(static_cast<double>(done_) / records_.size())) cancelled_ = true;
     }
   }
 
-  /// The same, but keeps the first exception of any thread for rethrow() and ends the work of all.
+  /// Keeps the first exception of any thread for rethrow() and ends the work of all.
   template <class Function>
-  void runSafely(const Function& goOn) {
+  void runSafely(const Function& work) {
     try {
-      run(goOn);
+      work();
     } catch (...) {
       const std::lock_guard<std::mutex> guard(lock_);
       if (!failure_) failure_ = std::current_exception();
@@ -128,7 +132,17 @@ class Work {
     }
   }
   void runUnseen() {
-    runSafely([](double) { return true; });
+    runSafely([this] { run([](double) { return true; }); });
+  }
+  /// Is heard to the end: `goOn` is asked about what the other threads still work on, too.
+  template <class Function>
+  void runSeen(const Function& goOn) {
+    runSafely([&] {
+      double told = 0.0;
+      const auto tell = [&](double share) { return goOn(told = share); };
+      run(tell);
+      await(tell, told);
+    });
   }
   void rethrow() const {
     if (failure_) std::rethrow_exception(failure_);
@@ -139,6 +153,19 @@ class Work {
   std::vector<SweepRecord> take() { return std::move(records_); }
 
  private:
+  /// Until all records are there or the work was ended.
+  template <class Function>
+  void await(const Function& goOn, const double& told) {
+    for (double share = told; !cancelled_ && told < 1.0; share = static_cast<double>(done_) / records_.size()) {
+      if (share > told) {
+        if (!goOn(share)) cancelled_ = true;
+        continue;
+      }
+      std::unique_lock<std::mutex> guard(lock_);
+      finished_.wait_for(guard, longestWait);
+    }
+  }
+
   const FaceCurves& face_;
   const SmoothingSweepOptions& sweep_;
   std::vector<std::unique_ptr<Attempt>> references_;
@@ -146,6 +173,7 @@ class Work {
   std::atomic<size_t> next_{0}, done_{0};
   std::atomic<bool> cancelled_{false};
   std::mutex lock_;
+  std::condition_variable finished_;
   std::exception_ptr failure_;
 };
 
@@ -210,7 +238,7 @@ std::optional<std::vector<SweepRecord>> smoothingSweep(const FaceCurves& face, c
   Helpers helpers;
   for (size_t i = 1; i < std::min<size_t>(std::max(options.threads, 1), work.size()); ++i)
     helpers.start([&] { work.runUnseen(); });
-  work.runSafely([&](double share) { return !progress || progress(share); });
+  work.runSeen([&](double share) { return !progress || progress(share); });
   helpers.join();
   work.rethrow();
   if (work.cancelled()) return std::nullopt;

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QString>
+
+namespace mien {
+
+/// What a file holds, by its content rather than its name.
+enum class FileKind {
+  Animation,         ///< .fap, or a table of FAPs, action units or blendshapes; also what nobody else knows
+  DeformationTable,  ///< facial deformation table, as text or packed
+  AnimationTable,    ///< .json of what each FAP moves
+  Landmarks,         ///< of a scan or a photograph
+  Markers,           ///< before and after an expression
+  Other              ///< another kind of file: a mesh, a picture
+};
+
+/// Looks at the beginning of a file; one that cannot be read is an Animation, whose reader says why.
+FileKind fileKind(const QString& fileName);
+
+}  // namespace mien
