@@ -1,5 +1,6 @@
 #include "CurvePanel.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 

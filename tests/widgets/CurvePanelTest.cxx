@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <vtkAlgorithm.h>
 #include <vtkPolyData.h>
 
 #include <QAction>
