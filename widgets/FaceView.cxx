@@ -2,11 +2,13 @@
 
 #include <vtkActor.h>
 #include <vtkAlgorithm.h>
+#include <vtkImageData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkReverseSense.h>
+#include <vtkTexture.h>
 
 #include "FaceModel.h"
 #include "Theme.h"
@@ -15,7 +17,8 @@ namespace mien {
 
 namespace {
 
-constexpr float meshWidth = 1.0f;  // pixels
+constexpr float meshWidth = 1.0f;     // pixels
+const QColor mouthInside("#5c2421");  // inside of a face with a photograph, which does not show it
 
 void setColor(vtkProperty* property, const QColor& color) {
   property->SetColor(color.redF(), color.greenF(), color.blueF());
@@ -35,6 +38,10 @@ FaceView::FaceView(FaceModel* model, QWidget* parent) : RenderView(model, parent
   setObjectName("faceView");
   setToolTip(
       tr("Drag to turn, wheel or right button to zoom, Shift and drag to move, double click to see the whole face"));
+  texture_->InterpolateOn();
+  texture_->MipmapOn();
+  texture_->RepeatOff();
+  texture_->EdgeClampOn();
   addSurface();
   dress();
   const auto followMouth = [this, model] {
@@ -60,8 +67,10 @@ void FaceView::addSurface() {
 void FaceView::dress() {
   const Theme& theme = Theme::current();
   const bool wires = mesh_ == Mesh::Wireframe;
-  setColor(surface_->GetProperty(), wires ? theme.mesh : theme.skin);
-  setColor(surface_->GetBackfaceProperty(), wires ? theme.ghost : theme.skinInside);
+  const bool photograph = textured_ && !wires;
+  surface_->SetTexture(photograph ? texture_.Get() : nullptr);
+  setColor(surface_->GetProperty(), wires ? theme.mesh : photograph ? QColor(Qt::white) : theme.skin);
+  setColor(surface_->GetBackfaceProperty(), wires ? theme.ghost : photograph ? mouthInside : theme.skinInside);
   for (vtkProperty* side : {surface_->GetProperty(), surface_->GetBackfaceProperty()}) {
     setSkin(side);
     side->SetRepresentation(wires ? VTK_WIREFRAME : VTK_SURFACE);
@@ -84,6 +93,13 @@ void FaceView::showOverlay(const QObject* overlay, bool skinStays) {
   surface_->SetVisibility(skinStays);
   redraw();
   emit overlayChanged(overlay);
+}
+
+void FaceView::setTexture(vtkImageData* image) {
+  textured_ = image != nullptr;
+  if (image) texture_->SetInputData(image);
+  dress();
+  redraw();
 }
 
 void FaceView::useTheme() {

@@ -4,7 +4,9 @@
 #include "RenderView.h"
 
 class vtkActor;
+class vtkImageData;
 class vtkReverseSense;
+class vtkTexture;
 
 namespace mien {
 
@@ -24,6 +26,11 @@ class FaceView : public RenderView {
   /// @param skinStays  whether the plain skin is seen below
   void showOverlay(const QObject* overlay, bool skinStays);
 
+  /// Colours of a photograph for the skin, over the surface's (u, v); nullptr: the plain skin. Lines of a mesh stay
+  /// plain.
+  void setTexture(vtkImageData* image);
+  bool isTextured() const { return textured_; }
+
   void useTheme() override;
 
  signals:
@@ -35,8 +42,10 @@ class FaceView : public RenderView {
 
   vtkNew<vtkReverseSense> outwards_;
   vtkNew<vtkActor> surface_;
+  vtkNew<vtkTexture> texture_;
   MouthActor mouth_{renderer()};
   Mesh mesh_ = Mesh::Shaded;
+  bool textured_ = false;
 };
 
 }  // namespace mien

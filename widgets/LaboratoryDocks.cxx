@@ -8,11 +8,13 @@
 
 #include "AnimationPlayer.h"
 #include "ContinuityPanel.h"
+#include "CurvePanel.h"
 #include "DeformationPanel.h"
 #include "FAPPlotPanel.h"
 #include "FaceView.h"
 #include "SmoothingPanel.h"
 #include "SpectrumPanel.h"
+#include "TexturePanel.h"
 #include "TimelinePanel.h"
 #include "VectorPanel.h"
 #include "ViewFrame.h"
@@ -32,18 +34,24 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
   window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   plot_ = add("plotDock", tr("FAPs over time"), new FAPPlotPanel(model, player));
   auto* vectorPanel = new VectorPanel(model, view);
-  QDockWidget* vectors = add("vectorsDock", tr("Motion vectors"), vectorPanel);
+  giveHeight(add("vectorsDock", tr("Motion vectors"), vectorPanel));
   connect(player, &AnimationPlayer::playingChanged, vectorPanel, [vectorPanel](bool playing) {
     if (playing) vectorPanel->fit();
-  });
-  connect(vectors->toggleViewAction(), &QAction::triggered, this, [this, vectors](bool shown) {
-    const int height = std::max(pictureHeight, static_cast<int>(pictureShare * window_->height()));
-    if (shown && vectors->height() < height) window_->resizeDocks({vectors}, {height}, Qt::Vertical);
   });
   add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
   add("deformationDock", tr("Deformation"), new DeformationPanel(model, view));
+  add("curvesDock", tr("Curves"), new CurvePanel(model));
+  giveHeight(add("textureDock", tr("Texture"), new TexturePanel(model, view)));
+}
+
+/// A dock that shows a picture itself is higher than a table when it is opened.
+void LaboratoryDocks::giveHeight(QDockWidget* dock) {
+  connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
+    const int height = std::max(pictureHeight, static_cast<int>(pictureShare * window_->height()));
+    if (shown && dock->height() < height) window_->resizeDocks({dock}, {height}, Qt::Vertical);
+  });
 }
 
 QDockWidget* LaboratoryDocks::add(const QString& name, const QString& title, QWidget* panel) {

@@ -27,6 +27,7 @@ class LaboratoryDocks : public QObject {
 
  private:
   QDockWidget* add(const QString& name, const QString& title, QWidget* panel);
+  void giveHeight(QDockWidget* dock);
 
   FaceView* view_;
   QMainWindow* window_;

@@ -32,7 +32,6 @@ namespace mien {
 namespace {
 
 constexpr int percent = 100;
-constexpr int defaultWidth = 2048, defaultHeight = 1024;  // as FaceTexture
 
 using Kind = FaceWarpLayout::Kind;
 
@@ -111,7 +110,7 @@ WarpMesh targetOf(const Options& options, const FaceCurves& face, const WarpMesh
   if (!FaceWarpLayout::kindOf(source, kind))
     throw ValueFailure("a source mesh of " + std::to_string(source.rows()) + " x " + std::to_string(source.columns()) +
                        " points has no places on the face; give --target, or a mesh of 7 x 7");
-  return textureMesh(layoutOn(face, kind), defaultWidth, defaultHeight);
+  return textureMesh(layoutOn(face, kind), faceTextureWidth, faceTextureHeight);
 }
 
 /// Shows how far the filter is and stops it when the user wants that.

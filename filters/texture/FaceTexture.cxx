@@ -4,12 +4,14 @@
 #include <cmath>
 #include <filesystem>
 
-#include "FaceWarpLayout.h"
+#include "BoundaryCurveData.h"
 #include "ImageFile.h"
 #include "PipelineErrors.h"
+#include "TextFile.h"
 #include "WarpMeshData.h"
+#include "WarpMeshText.h"
+#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
-#include "vtkFaceWarpMeshFilter.h"
 #include "vtkImageData.h"
 #include "vtkImageMeshWarpFilter.h"
 #include "vtkNew.h"
@@ -17,7 +19,6 @@
 #include "vtkPolyData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkWarpMeshReader.h"
 
 namespace mien {
 
@@ -42,17 +43,37 @@ void makeColours(vtkImageData* image) {
   image->GetPointData()->SetScalars(to);
 }
 
-std::string readMesh(vtkWarpMeshReader* reader, const std::string& file, FaceWarpLayout::Kind& kind) {
+/// Hands the progress of a filter on, and the wish to stop to the filter.
+class Watch {
+ public:
+  Watch(vtkAlgorithm* filter, const Progress& progress) : filter_(filter), progress_(progress) {
+    command_->SetClientData(this);
+    command_->SetCallback([](vtkObject*, unsigned long, void* self, void* done) {
+      const auto* watch = static_cast<Watch*>(self);
+      if (!goesOn(watch->progress_, *static_cast<double*>(done))) watch->filter_->SetAbortExecute(1);
+    });
+    filter->AddObserver(vtkCommand::ProgressEvent, command_);
+  }
+
+ private:
+  vtkAlgorithm* filter_;
+  const Progress& progress_;
+  vtkNew<vtkCallbackCommand> command_;
+};
+
+/// @return nothing, or what went wrong
+std::string runWarp(vtkImageMeshWarpFilter* warp, const Progress& progress) {
   PipelineErrors errors;
-  errors.observe(reader);
-  reader->SetFileName(file.c_str());
-  reader->Update();
+  errors.observe(warp);
+  const Watch watch(warp, progress);
+  warp->Update();
   if (!errors.first().empty()) return errors.first();
-  WarpMesh mesh;
-  const std::string fault = readWarpMesh(reader->GetOutput(), mesh);
-  if (!fault.empty() || FaceWarpLayout::kindOf(mesh, kind)) return fault;
-  return file + ": a mesh of " + std::to_string(mesh.rows()) + " x " + std::to_string(mesh.columns()) +
-         " points has no places on the face; give one of 7 x 7, or one made by mien texture";
+  return warp->GetAbortExecute() ? "the work was stopped" : "";
+}
+
+std::string layoutOn(vtkPolyData* curves, FaceWarpLayout::Kind kind, FaceCurves& face, FaceWarpLayout& layout) {
+  const std::string fault = readFaceCurves(curves, face);
+  return fault.empty() ? layout.set(kind, face) : fault;
 }
 
 }  // namespace
@@ -61,30 +82,95 @@ std::string meshBeside(const std::string& imageFile) {
   return std::filesystem::path(imageFile).replace_extension(".csv").string();
 }
 
-std::string makeFaceTexture(const FaceState& state, vtkPolyData* curves, vtkImageData* texture) {
-  vtkNew<vtkImageData> photograph;
-  vtkNew<vtkWarpMeshReader> source;
-  FaceWarpLayout::Kind kind{};
-  const std::string meshFile = state.textureMesh.empty() ? meshBeside(state.texture) : state.textureMesh;
-  std::string fault = readImageFile(state.texture, photograph);
-  if (fault.empty()) fault = readMesh(source, meshFile, kind);
+std::string readSourceMesh(const std::string& file, WarpMesh& mesh) {
+  std::string text;
+  std::string fault = readSmallTextFile(file, "warp mesh", text);
   if (!fault.empty()) return fault;
-  vtkNew<vtkFaceWarpMeshFilter> target;
-  target->SetInputDataObject(curves);
-  target->SetFine(kind == FaceWarpLayout::Kind::Fine);
+  WarpMesh read;
+  fault = parseWarpMesh(text, read);
+  if (!fault.empty()) return file + ":" + fault;
+  FaceWarpLayout::Kind kind{};
+  if (!FaceWarpLayout::kindOf(read, kind))
+    return file + ": a mesh of " + std::to_string(read.rows()) + " x " + std::to_string(read.columns()) +
+           " points has no places on the face; give one of 7 x 7, or one made by mien texture";
+  mesh = std::move(read);
+  return {};
+}
+
+std::string readLandmarkMesh(const std::string& file, FaceWarpLayout::Kind kind, vtkPolyData* curves, double width,
+                             double height, WarpMesh& mesh) {
+  std::string text;
+  std::string fault = readSmallTextFile(file, "list of landmarks", text);
+  if (!fault.empty()) return fault;
+  ImageLandmarks landmarks;
+  fault = parseImageLandmarks(text, landmarks);
+  if (!fault.empty()) return file + ":" + fault;
+  FaceCurves face;
+  FaceWarpLayout layout;
+  fault = layoutOn(curves, kind, face, layout);
+  if (fault.empty()) fault = photographMesh(layout, face, landmarks, width, height, mesh);
+  return fault.empty() ? fault : file + ": " + fault;
+}
+
+std::string makeStartingMesh(vtkPolyData* curves, double width, double height, WarpMesh& mesh) {
+  FaceCurves face;
+  FaceWarpLayout layout;
+  const std::string fault = layoutOn(curves, FaceWarpLayout::Kind::SevenBySeven, face, layout);
+  if (fault.empty()) mesh = startingMesh(layout, face, width, height);
+  return fault;
+}
+
+std::string warpFaceTexture(vtkImageData* photograph, const WarpMesh& source, vtkPolyData* curves, int width,
+                            int height, const Progress& progress, vtkImageData* texture) {
+  FaceWarpLayout::Kind kind{};
+  if (!FaceWarpLayout::kindOf(source, kind)) return "the mesh has no places on the face; give one of 7 x 7 points";
+  FaceCurves face;
+  FaceWarpLayout layout;
+  std::string fault = layoutOn(curves, kind, face, layout);
+  if (!fault.empty()) return fault;
+  vtkNew<vtkStructuredGrid> from, to;
+  writeWarpMesh(source, from);
+  writeWarpMesh(textureMesh(layout, width, height), to);
   vtkNew<vtkImageMeshWarpFilter> warp;
   warp->SetInputData(photograph);
-  warp->SetSourceMeshConnection(source->GetOutputPort());
-  warp->SetTargetMeshConnection(target->GetOutputPort());
-  warp->SetOutputSize(target->GetTextureSize()[0], target->GetTextureSize()[1]);
+  warp->SetSourceMeshData(from);
+  warp->SetTargetMeshData(to);
+  warp->SetOutputSize(width, height);
   warp->ClosedOn();
-  PipelineErrors errors;
-  errors.observe(target);
-  errors.observe(warp);
-  warp->Update();
-  if (!errors.first().empty()) return meshFile + ": " + errors.first();
+  fault = runWarp(warp, progress);
+  if (!fault.empty()) return fault;
   texture->ShallowCopy(warp->GetOutput());
   makeColours(texture);
+  return {};
+}
+
+std::string makeFaceTexture(const FaceState& state, vtkPolyData* curves, vtkImageData* texture) {
+  vtkNew<vtkImageData> photograph;
+  const std::string meshFile = state.textureMesh.empty() ? meshBeside(state.texture) : state.textureMesh;
+  WarpMesh source;
+  std::string fault = readImageFile(state.texture, photograph);
+  if (fault.empty()) fault = readSourceMesh(meshFile, source);
+  if (!fault.empty()) return fault;
+  fault = warpFaceTexture(photograph, source, curves, faceTextureWidth, faceTextureHeight, {}, texture);
+  return fault.empty() ? fault : meshFile + ": " + fault;
+}
+
+std::string reduceImage(vtkImageData* image, int largestSide, const Progress& progress, vtkImageData* reduced) {
+  const int* size = image->GetDimensions();
+  const double scale = std::min(1.0, static_cast<double>(largestSide) / std::max(size[0], size[1]));
+  const int width = std::max(1, static_cast<int>(std::lround(scale * size[0])));
+  const int height = std::max(1, static_cast<int>(std::lround(scale * size[1])));
+  vtkNew<vtkStructuredGrid> whole;
+  writeWarpMesh(evenMesh(2, 2, size[0], size[1]), whole);
+  vtkNew<vtkImageMeshWarpFilter> warp;
+  warp->SetInputData(image);
+  warp->SetSourceMeshData(whole);
+  warp->SetTargetMeshData(whole);
+  warp->SetOutputSize(width, height);
+  const std::string fault = runWarp(warp, progress);
+  if (!fault.empty()) return fault;
+  reduced->ShallowCopy(warp->GetOutput());
+  makeColours(reduced);
   return {};
 }
 

@@ -14,7 +14,8 @@ namespace {
 using Place = FacePlace;
 
 constexpr int paperSide = 7;
-constexpr double frontal = M_PI / 2;  // to either side of the midline
+constexpr double frontal = M_PI / 2;   // to either side of the midline
+constexpr double startingShare = 0.8;  // of a picture, for a face whose place is unknown
 
 constexpr std::array<const char*, 25> featurePlaces = {"4.6",
                                                        "4.4",
@@ -152,6 +153,16 @@ WarpMesh frontMesh(const FaceWarpLayout& layout, const FaceCurves& face, double 
   return meshOf(layout, width, height, [&](const Place& place) -> Eigen::Vector2d {
     return pixelsPerMillimetre * (seen(face, place) - origin);
   });
+}
+
+WarpMesh startingMesh(const FaceWarpLayout& layout, const FaceCurves& face, double width, double height) {
+  WarpMesh mesh = frontMesh(layout, face, 1.0, Eigen::Vector2d::Zero(), width, height);
+  const double left = mesh.x.minCoeff(), top = mesh.y.minCoeff();
+  const double across = mesh.x.maxCoeff() - left, down = mesh.y.maxCoeff() - top;
+  const double scale = startingShare * std::min(width / across, height / down);
+  mesh.x.array() = 0.5 * width + scale * (mesh.x.array() - left - 0.5 * across);
+  mesh.y.array() = 0.5 * height + scale * (mesh.y.array() - top - 0.5 * down);
+  return mesh;
 }
 
 std::string photographMesh(const FaceWarpLayout& layout, const FaceCurves& face, const ImageLandmarks& landmarks,

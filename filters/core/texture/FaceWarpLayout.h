@@ -53,6 +53,10 @@ WarpMesh textureMesh(const FaceWarpLayout& layout, double width, double height);
 WarpMesh frontMesh(const FaceWarpLayout& layout, const FaceCurves& face, double pixelsPerMillimetre,
                    const Eigen::Vector2d& corner, double width, double height);
 
+/// Where the places may lie on a photograph of which nothing is known: this face seen from the front, in the middle,
+/// over four fifths of the picture's width or height. A mesh to be moved by hand.
+WarpMesh startingMesh(const FaceWarpLayout& layout, const FaceCurves& face, double width, double height);
+
 /// Where the places lie on a photograph with these landmarks: the face seen from the front, bent so that its feature
 /// points meet them (SmoothWarp). Landmarks are the 68 by number, or the 25 places by name.
 /// @return nothing, or one sentence that says which landmark is missing or that the mesh would be folded

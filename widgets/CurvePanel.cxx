@@ -1,0 +1,260 @@
+#include "CurvePanel.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "FaceLayout.h"
+#include "FaceModel.h"
+#include "PipelineErrors.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double degree = M_PI / 180.0;
+constexpr int middle = FaceLayout::curveCount / 2;
+
+QString textOf(const CurveEdit& edit) {
+  return CurvePanel::tr("%1, v %2\u00b0: (%3, %4, %5) mm, width %6\u00b0, spread %7%8")
+      .arg(QString::fromStdString(FaceLayout::curveName(edit.curve)))
+      .arg(edit.v / degree, 0, 'f', 1)
+      .arg(edit.move.x(), 0, 'f', 1)
+      .arg(edit.move.y(), 0, 'f', 1)
+      .arg(edit.move.z(), 0, 'f', 1)
+      .arg(edit.width / degree, 0, 'f', 0)
+      .arg(edit.spread)
+      .arg(edit.mirrored ? CurvePanel::tr(", mirrored") : QString());
+}
+
+/// The neutral curves with the edits of this state and nothing else. @return nothing, or what is wrong
+std::string writeCurves(const FaceState& state, const std::string& file) {
+  FacePipeline pipeline;
+  FaceState neutral;
+  neutral.curvesFile = state.curvesFile;
+  neutral.edits = state.edits;
+  pipeline.setState(neutral);
+  const std::string fault = pipeline.updateCurves();
+  if (!fault.empty()) return fault;
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  PipelineErrors errors;
+  errors.observe(writer);
+  const std::string part = file + ".part";
+  writer->SetFileName(part.c_str());
+  writer->SetInputData(vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0)));
+  writer->SetDataModeToBinary();
+  writer->SetCompressorTypeToNone();
+  std::error_code failure;
+  if (writer->Write() == 1 && errors.first().empty()) std::filesystem::rename(part, file, failure);
+  if (errors.first().empty() && !failure) return {};
+  std::filesystem::remove(part, failure);
+  return file + ": it cannot be written; give a file in a folder that exists and may be written to";
+}
+
+}  // namespace
+
+CurvePanel::CurvePanel(FaceModel* model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      curve_(new QComboBox(this)),
+      point_(new QSpinBox(this)),
+      spread_(new QSpinBox(this)),
+      dx_(new QDoubleSpinBox(this)),
+      dy_(new QDoubleSpinBox(this)),
+      dz_(new QDoubleSpinBox(this)),
+      width_(new QDoubleSpinBox(this)),
+      mirror_(new QCheckBox(tr("Mirror"), this)),
+      edits_(new QListWidget(this)),
+      apply_(new QToolButton(this)),
+      undo_(new QToolButton(this)),
+      remove_(new QToolButton(this)),
+      clear_(new QToolButton(this)),
+      save_(new QToolButton(this)) {
+  setObjectName("curvePanel");
+  describePlace();
+  describeMove();
+  describeButtons();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 4, 8, 6);
+  column->setSpacing(4);
+  column->addWidget(placeRow());
+  column->addWidget(moveRow());
+  column->addWidget(listColumn(), 1);
+  connectControls();
+  showEdits();
+}
+
+void CurvePanel::describePlace() {
+  for (int i = 0; i < FaceLayout::curveCount; ++i) curve_->addItem(QString::fromStdString(FaceLayout::curveName(i)));
+  curve_->setCurrentIndex(middle);
+  curve_->setObjectName("curveCurve");
+  curve_->setToolTip(tr("The curve of the point, from C1 at the forehead to C28 at the chin"));
+  point_->setObjectName("curvePoint");
+  point_->setToolTip(
+      tr("The point of the curve, from 0; in the middle of the face is half of their number, more is the "
+         "subject's left"));
+  width_->setObjectName("curveWidth");
+  width_->setRange(1.0, 180.0);
+  width_->setValue(CurveEdit().width / degree);
+  width_->setDecimals(1);
+  width_->setSuffix("\u00b0");
+  width_->setToolTip(tr("Where along the curve the fall-off ends, degrees of v on either side of the point"));
+  spread_->setObjectName("curveSpread");
+  spread_->setRange(0, CurveEdit::largestSpread);
+  spread_->setValue(CurveEdit().spread);
+  spread_->setToolTip(tr("How many neighbouring curves follow on either side"));
+}
+
+void CurvePanel::describeMove() {
+  const auto describe = [](QDoubleSpinBox* box, const QString& name, const QString& tip) {
+    box->setObjectName(name);
+    box->setRange(-CurveEdit::largestMove, CurveEdit::largestMove);
+    box->setDecimals(2);
+    box->setSingleStep(0.5);
+    box->setSuffix(" mm");
+    box->setToolTip(tip);
+  };
+  describe(dx_, "curveDx", tr("How far the point moves towards the subject's left"));
+  describe(dy_, "curveDy", tr("How far the point moves up"));
+  describe(dz_, "curveDz", tr("How far the point moves forward"));
+  mirror_->setObjectName("curveMirror");
+  mirror_->setChecked(true);
+  mirror_->setToolTip(tr("The other side of the face moves as the mirror image"));
+}
+
+void CurvePanel::describeButtons() {
+  const auto describe = [](QToolButton* button, const QString& name, const QString& text, const QString& tip) {
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setProperty("framed", true);
+    button->setFocusPolicy(Qt::TabFocus);
+  };
+  describe(apply_, "curveApply", tr("Move"), tr("Moves the point; what would make curves cross is refused"));
+  describe(undo_, "curveUndo", tr("Undo"), tr("Takes the last move back"));
+  describe(remove_, "curveRemove", tr("Remove"), tr("Takes the chosen move out of the list"));
+  describe(clear_, "curveClear", tr("Remove all"), tr("The curves as they were read"));
+  describe(save_, "curveSave", tr("Save curves..."),
+           tr("Writes the neutral curves with these moves as .vtp, which --face takes"));
+  edits_->setObjectName("curveEdits");
+  edits_->setToolTip(tr("The moves, made one after the other"));
+}
+
+QWidget* CurvePanel::placeRow() {
+  return rowOf({{tr("Curve"), curve_},
+                {tr("Point"), point_},
+                {tr("Width"), width_},
+                {tr("Spread"), spread_},
+                {QString(), mirror_}});
+}
+
+QWidget* CurvePanel::moveRow() {
+  return rowOf({{tr("Left"), dx_}, {tr("Up"), dy_}, {tr("Forward"), dz_}, {QString(), apply_}});
+}
+
+QWidget* CurvePanel::rowOf(const std::vector<std::pair<QString, QWidget*>>& controls) {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (const auto& [label, control] : controls) {
+    if (!label.isEmpty()) row->addWidget(new QLabel(label, box));
+    row->addWidget(control);
+    row->addSpacing(6);
+  }
+  row->addStretch();
+  return box;
+}
+
+QWidget* CurvePanel::listColumn() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(edits_, 1);
+  auto* buttons = new QVBoxLayout;
+  for (QToolButton* button : {undo_, remove_, clear_, save_}) {
+    button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    buttons->addWidget(button);
+  }
+  buttons->addStretch();
+  row->addLayout(buttons);
+  return box;
+}
+
+void CurvePanel::connectControls() {
+  connect(apply_, &QToolButton::clicked, this, &CurvePanel::apply);
+  connect(undo_, &QToolButton::clicked, this, [this] { remove(edits_->count() - 1); });
+  connect(remove_, &QToolButton::clicked, this, [this] { remove(edits_->currentRow()); });
+  connect(clear_, &QToolButton::clicked, this, [this] {
+    model_->change([](FaceState& state) { state.edits.clear(); });
+    model_->update();
+  });
+  connect(save_, &QToolButton::clicked, this, &CurvePanel::chooseSaved);
+  connect(edits_, &QListWidget::currentRowChanged, remove_, [this](int row) { remove_->setEnabled(row >= 0); });
+  connect(model_, &FaceModel::stateChanged, this, &CurvePanel::showEdits);
+  connect(model_, &FaceModel::updated, this, [this] { point_->setMaximum(model_->pointsPerCurve() - 1); });
+  point_->setMaximum(model_->pointsPerCurve() - 1);
+  point_->setValue(model_->pointsPerCurve() / 2);
+}
+
+void CurvePanel::apply() {
+  CurveEdit edit;
+  edit.curve = curve_->currentIndex();
+  edit.v = 2.0 * M_PI * point_->value() / model_->pointsPerCurve();
+  edit.move = {dx_->value(), dy_->value(), dz_->value()};
+  edit.width = width_->value() * degree;
+  edit.spread = spread_->value();
+  edit.mirrored = mirror_->isChecked();
+  model_->change([&](FaceState& state) { state.edits.push_back(edit); });
+  model_->update();
+}
+
+void CurvePanel::remove(int index) {
+  if (index < 0 || index >= edits_->count()) return;
+  model_->change([&](FaceState& state) { state.edits.erase(state.edits.begin() + index); });
+  model_->update();
+}
+
+void CurvePanel::chooseSaved() {
+  QString name =
+      QFileDialog::getSaveFileName(window(), tr("Save the curves"), QString(), tr("Boundary curves (*.vtp)"));
+  if (name.isEmpty()) return;
+  if (QFileInfo(name).suffix().isEmpty()) name += ".vtp";
+  save(name);
+}
+
+bool CurvePanel::save(const QString& fileName) {
+  const std::string fault = writeCurves(model_->state(), fileName.toStdString());
+  if (fault.empty())
+    emit model_->remarked(tr("%1 was written.").arg(QFileInfo(fileName).fileName()), fileName);
+  else
+    emit model_->failed(QString::fromStdString(fault), QString());
+  return fault.empty();
+}
+
+void CurvePanel::showEdits() {
+  const int chosen = edits_->currentRow();
+  edits_->clear();
+  for (const CurveEdit& edit : model_->state().edits) edits_->addItem(textOf(edit));
+  edits_->setCurrentRow(std::min(chosen, edits_->count() - 1));
+  remove_->setEnabled(edits_->currentRow() >= 0);
+  undo_->setEnabled(edits_->count() > 0);
+  clear_->setEnabled(edits_->count() > 0);
+}
+
+}  // namespace mien

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+#include <utility>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QListWidget;
+class QSpinBox;
+class QToolButton;
+
+namespace mien {
+
+class FaceModel;
+
+/// Where should the boundary curves of the neutral face lie? Points of curves are moved by numbers, with a smooth
+/// fall-off and mirrored or not; the moves stand in a list, from which they can be taken, and the curves are saved.
+class CurvePanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit CurvePanel(FaceModel* model, QWidget* parent = nullptr);
+
+  bool save(const QString& fileName);  ///< the edited neutral curves as .vtp; the message bar says what is wrong
+
+ private:
+  QWidget* placeRow();
+  QWidget* moveRow();
+  QWidget* listColumn();
+  QWidget* rowOf(const std::vector<std::pair<QString, QWidget*>>& controls);
+  void describePlace();
+  void describeMove();
+  void describeButtons();
+  void connectControls();
+  void apply();
+  void remove(int index);
+  void chooseSaved();
+  void showEdits();
+
+  FaceModel* model_;
+  QComboBox* curve_;
+  QSpinBox *point_, *spread_;
+  QDoubleSpinBox *dx_, *dy_, *dz_, *width_;
+  QCheckBox* mirror_;
+  QListWidget* edits_;
+  QToolButton *apply_, *undo_, *remove_, *clear_, *save_;
+};
+
+}  // namespace mien
