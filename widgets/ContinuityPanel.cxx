@@ -26,7 +26,7 @@
 #include "LiveUpdate.h"
 #include "SeamMeasureKind.h"
 #include "SurfaceParameters.h"
-#include "TableText.h"
+#include "CsvTable.h"
 
 namespace mien {
 

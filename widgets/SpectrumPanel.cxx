@@ -28,7 +28,7 @@
 #include "LiveUpdate.h"
 #include "SpectrumFigure.h"
 #include "SurfaceParameters.h"
-#include "TableText.h"
+#include "CsvTable.h"
 
 namespace mien {
 

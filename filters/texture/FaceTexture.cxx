@@ -7,7 +7,7 @@
 #include "BoundaryCurveData.h"
 #include "ImageFile.h"
 #include "PipelineErrors.h"
-#include "TextFile.h"
+#include "TextFileReader.h"
 #include "WarpMeshData.h"
 #include "WarpMeshText.h"
 #include "vtkCallbackCommand.h"
@@ -23,6 +23,9 @@
 namespace mien {
 
 namespace {
+
+// The largest warp mesh has 65,536 points and about 4 MB; a file larger than this is something else.
+constexpr std::size_t largestText = 10'000'000;
 
 /// Grey becomes red, green and blue, and any range 0 .. 255: renderers would else take colours from a table.
 void makeColours(vtkImageData* image) {
@@ -84,8 +87,8 @@ std::string meshBeside(const std::string& imageFile) {
 
 std::string readSourceMesh(const std::string& file, WarpMesh& mesh) {
   std::string text;
-  std::string fault = readSmallTextFile(file, "warp mesh", text);
-  if (!fault.empty()) return fault;
+  std::string fault = readTextFile(file, largestText, text, "warp mesh");
+  if (!fault.empty()) return file + ":" + fault;
   WarpMesh read;
   fault = parseWarpMesh(text, read);
   if (!fault.empty()) return file + ":" + fault;
@@ -100,8 +103,8 @@ std::string readSourceMesh(const std::string& file, WarpMesh& mesh) {
 std::string readLandmarkMesh(const std::string& file, FaceWarpLayout::Kind kind, vtkPolyData* curves, double width,
                              double height, WarpMesh& mesh) {
   std::string text;
-  std::string fault = readSmallTextFile(file, "list of landmarks", text);
-  if (!fault.empty()) return fault;
+  std::string fault = readTextFile(file, largestText, text, "list of landmarks");
+  if (!fault.empty()) return file + ":" + fault;
   ImageLandmarks landmarks;
   fault = parseImageLandmarks(text, landmarks);
   if (!fault.empty()) return file + ":" + fault;

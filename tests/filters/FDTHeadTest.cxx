@@ -5,6 +5,7 @@
 #include <functional>
 #include <sstream>
 
+#include "EyePupils.h"
 #include "FDTData.h"
 #include "LandmarkTable.h"
 #include "NamedTables.h"

@@ -1,3 +1,4 @@
+#include <vtkAlgorithm.h>
 #include <vtkPolyData.h>
 
 #include <QAction>

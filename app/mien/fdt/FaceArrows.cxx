@@ -17,7 +17,6 @@ namespace {
 
 constexpr int rows = 164, columns = 160;  // points every 0.1 pupil units in front, an arrow's place to half of that
 constexpr double furthestBack = -1.6;     // z of what is still seen from the front, pupil units
-constexpr double leastForwards = 0.2;     // z of its unit normal
 
 /// The point of the face that is nearest to each place of a lattice around the middle of the pupils.
 class Lattice {
@@ -64,7 +63,7 @@ FaceArrows genericFaceArrows(const DeformationTable& table, const DeformationOpt
   Lattice lattice(spacing);
   for (std::size_t i = 0; i < frame.points.size(); ++i) {
     const Eigen::Vector3d place = frame.pupils.apply(frame.points[i].position);
-    const bool seen = place.z() > furthestBack && frame.points[i].normalZ > leastForwards;
+    const bool seen = place.z() > furthestBack;
     if (seen && regions.outlineWeight(place.head<2>()) > 0.5) lattice.offer(place.head<2>(), static_cast<vtkIdType>(i));
   }
   FaceArrows result;

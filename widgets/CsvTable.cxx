@@ -1,4 +1,4 @@
-#include "TableText.h"
+#include "CsvTable.h"
 
 #include <vtkDataArray.h>
 #include <vtkTable.h>
