@@ -152,7 +152,7 @@ TEST(FdtApplyCommand, ErrorsSayWhatToDoAndLeaveNothing) {
   expect({"joy", folder.file("a.csv"), "-o", out}, 1, "a.csv:1: the pupil pupil_right is missing");
   expect({"joy", folder.file("a.csv"), "--pupils", "pupil_left,pupil_left", "-o", out}, 1, "coincide");
   expect({"nope", folder.file("a.csv"), "-o", out}, 1, "there are the tables anger");
-  expect({"joy:x", folder.file("a.csv"), "-o", out}, 2, "'x'");
+  expect({"joy:x", folder.file("a.csv"), "-o", out}, 2, "'joy:x'");
   expect({"joy", folder.file("a.csv"), "-o", folder.file("o.ply")}, 2, ".csv");
   expect({"joy", folder.file("a.csv"), "--strength", "9", "-o", out}, 2, "-2 .. 2");
   expect({folder.file("a.csv"), "-o", out}, 2, "give a table and a face");

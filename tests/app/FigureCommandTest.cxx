@@ -103,7 +103,7 @@ TEST(FigureCommand, TheTableOfExpressionsIsTheFile) {
     for (const auto& action : expression["actions"])
       for (const auto& [fap, value] : action["faps"].items()) {
         std::ostringstream cell;
-        cell << fap << ": " << value.get<double>();
+        cell << fap << ":\u00a0" << value.get<double>();
         EXPECT_NE(words.find(cell.str()), std::string::npos) << expression["name"] << " " << cell.str();
         ++checked;
       }

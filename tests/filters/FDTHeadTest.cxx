@@ -181,7 +181,8 @@ TEST(FDTHead, EyeballsStay) {
     if (!inEyes[i]) continue;
     ASSERT_EQ((head.after(i) - head.before(i)).norm(), 0.0) << i;
     const double distance = std::min((head.before(i) - pupils.left).norm(), (head.before(i) - pupils.right).norm());
-    ASSERT_LT(distance, 17.0) << "no eyeball is so large";
+    // A ball of 30.4 mm about the mean of its vertices, which lie closer together in front: at most 18.45 mm.
+    ASSERT_LT(distance, 19.0) << "no eyeball is so large";
   }
 }
 

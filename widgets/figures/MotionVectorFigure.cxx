@@ -13,6 +13,7 @@ namespace {
 
 constexpr double border = FigureWords::border;
 constexpr double leastPanel = 38.0;     // mm
+constexpr double leastAsked = 20.0;     // mm, of panels whose number in a row is asked for
 constexpr double columnGap = 3.0;       // mm
 constexpr double rowGap = 3.0;          // mm
 constexpr double wordsGap = 2.0;        // mm, above caption and note
@@ -51,7 +52,8 @@ Eigen::AlignedBox2d usable(const Eigen::AlignedBox2d& frame) {
 MotionVectorFigure::MotionVectorFigure(const std::vector<MotionVectorPanel>& panels, const MotionVectorOptions& options)
     : options_(options), style_(options), inner_(units(options.width - 2.0 * border)) {
   prepare(panels, static_cast<int>(panels.size()));
-  for (size_t i = 0; i < all_.size(); ++i) panels_.emplace_back(all_[i], label(i, all_.size(), panels[i].heading));
+  for (size_t i = 0; i < all_.size(); ++i)
+    panels_.emplace_back(all_[i], label(i, options_.labelled ? all_.size() : 1, panels[i].heading));
   layOut();
 }
 
@@ -135,7 +137,8 @@ double MotionVectorFigure::panelsWidth() const {
 
 int MotionVectorFigure::columnCount(int panels) const {
   const int count = std::max(1, panels);
-  const int fitting = std::max(1, static_cast<int>((panelsWidth() + units(columnGap)) / units(leastPanel + columnGap)));
+  const double least = options_.columns > 0 ? leastAsked : leastPanel;
+  const int fitting = std::max(1, static_cast<int>((panelsWidth() + units(columnGap)) / units(least + columnGap)));
   const int columns = std::min({options_.columns > 0 ? options_.columns : fitting, fitting, count});
   const int rows = (count + columns - 1) / columns;
   return options_.columns > 0 ? columns : (count + rows - 1) / rows;  // no row with a single panel beside full ones

@@ -40,6 +40,7 @@ PlatePanel vectorRow(FigureContext& context, const std::vector<FaceState>& state
   MotionVectorOptions options = context.vectorOptions();
   options.width = context.innerWidth();
   options.columns = static_cast<int>(states.size());
+  options.labelled = false;
   return motionPanel("Motion against the neutral face, 56 x 40 points", fields, options);
 }
 

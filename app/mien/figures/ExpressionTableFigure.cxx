@@ -8,11 +8,13 @@ namespace mien {
 
 namespace {
 
-/// "raise_l_i_eyebrow (31) 150, ..": the FAPs of an action with their values.
+constexpr const char* noBreak = "\u00a0";  // between a FAP and its value
+
+/// "31: 150, 32: 150": the FAPs of an action with their values.
 std::string valueText(const FacialAction& action) {
   std::string text;
   for (const auto& [fap, value] : action.values)
-    text += (text.empty() ? "" : ", ") + std::to_string(fap) + ": " + shortestText(value);
+    text += (text.empty() ? "" : ", ") + std::to_string(fap) + ":" + noBreak + shortestText(value);
   return text;
 }
 
@@ -37,7 +39,7 @@ FigureDrawing drawExpressionTable(FigureContext& context) {
   plate.panels = {tablePanel("", table, context.innerWidth())};
   plate.caption =
       "Values at full intensity in FAP units (MPEG-4, ISO/IEC 14496-2); each FAP's unit is a 1024th of a "
-      "distance of this face, for rotations 1e-5 rad.";
+      "distance of this face.";
   return context.drawn(plate);
 }
 

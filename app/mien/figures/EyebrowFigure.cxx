@@ -23,6 +23,7 @@ Chart weightChart(const FaceAnimator& face) {
   chart.x = {"v", "degrees"};
   chart.y = {"Weight on " + std::string(curveName)};
   chart.y.begin = 0.0;
+  chart.y.end = 1.1;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(face.neutral().curves.pointsPerCurve);
   const auto addSeries = [&](const std::string& name, const Eigen::VectorXd& weights) {
     ChartSeries series;
@@ -87,10 +88,11 @@ FigureDrawing drawEyebrow(FigureContext& context) {
   plate.panels.push_back(chartPanel(weightChart(face)));
   plate.panels.back().span = 2;
   const double unit = face.units().perValue(fapDefinition(middleBrow).unit);
-  plate.caption =
-      "Values of " + shortestText(value) + " FAP units, " + shortestText(std::round(value * unit * 100.0) / 100.0) +
-      " mm at weight 1; dashed: the neutral brow. The weights are staggered sinusoids that sum to at most 1, so "
-      "that no point rises further than the largest of the three.";
+  plate.caption = "Values of " + shortestText(value) + " FAP units, " +
+                  shortestText(std::round(value * unit * 100.0) / 100.0) +
+                  " mm at weight 1; dashed: the neutral brow. The weights are staggered sinusoids that sum to at most "
+                  "1 at the samples, so "
+                  "that no point rises further than the largest of the three.";
   return context.drawn(plate);
 }
 

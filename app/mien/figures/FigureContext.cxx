@@ -107,8 +107,9 @@ double FigureContext::innerWidth() const {
   return PlatePainter::panelWidth(settings_.width, 1, 1);
 }
 
-FigureDrawing FigureContext::drawn(const Plate& plate) const {
-  const auto painter = std::make_shared<PlatePainter>(plate, settings_.theme, settings_.width, settings_.labelled);
+FigureDrawing FigureContext::drawn(const Plate& plate, bool labelled) const {
+  const auto painter =
+      std::make_shared<PlatePainter>(plate, settings_.theme, settings_.width, labelled && settings_.labelled);
   return {painter->size(), [painter](QPainter& p) { painter->paint(p); }};
 }
 

@@ -68,7 +68,8 @@ class FigureContext {
   /// Width of a panel that spans the figure, mm.
   double innerWidth() const;
 
-  FigureDrawing drawn(const Plate& plate) const;
+  /// @param labelled  (a), (b) .. before panels, unless --no-labels
+  FigureDrawing drawn(const Plate& plate, bool labelled = true) const;
   FigureDrawing drawn(const Figure& figure) const;
 
  private:

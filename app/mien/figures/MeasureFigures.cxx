@@ -24,8 +24,19 @@ std::vector<std::string> allSchemes() {
   return names;
 }
 
+constexpr double rounding = 1e-9;  // degrees: less is none
+
 std::string threeDigits(const json& value) {
-  return value.is_number() ? QString::number(value.get<double>(), 'g', 3).toStdString() : "-";
+  if (!value.is_number()) return "-";
+  return value < rounding ? "0" : QString::number(value.get<double>(), 'g', 3).toStdString();
+}
+
+/// The chart without its own words, which the plate has.
+PlatePanel bare(Figure chart, double width) {
+  chart.title.clear();
+  chart.caption.clear();
+  chart.note.clear();
+  return figurePanel("", chart, width);
 }
 
 /// The largest angle of each seam, a column for each scheme.
@@ -62,18 +73,17 @@ FigureDrawing drawContinuity(FigureContext& context) {
   MeasuredFace face;
   face.set(context.state(), allSchemes());
   const Report report = continuityReport(face, {});
-  Figure chart = report.figure();
+  const Figure chart = report.figure();
   Plate plate;
   plate.columns = 1;
   plate.note = chart.note;
   plate.caption =
-      "Angle between the normals of neighbouring patches along each seam, and its largest values in degrees.";
-  chart.note.clear();
-  chart.caption.clear();
+      "Angle between the normals of neighbouring patches along each seam, and its largest values in degrees; less than "
+      "1e-9 degrees, rounding, is given as 0.";
   plate.panels = {
       figurePanel("", chart, context.innerWidth()),
       tablePanel("Largest angle, degrees", largestAngles(report.json, face.schemes()), context.innerWidth())};
-  return context.drawn(plate);
+  return context.drawn(plate, false);
 }
 
 FigureDrawing drawSpectrum(FigureContext& context) {
@@ -87,15 +97,13 @@ FigureDrawing drawSweep(FigureContext& context) {
   face.set(context.state(), allSchemes());
   SweepChoice choice;
   choice.range = "0.1:100:25log";
-  Figure chart = sweepReport(face, choice).figure();
+  const Figure chart = sweepReport(face, choice).figure();
   Plate plate;
   plate.columns = 1;
   plate.caption = chart.caption;
   plate.note = chart.note;
-  chart.caption.clear();
-  chart.note.clear();
-  plate.panels = {surfaceRow(context), figurePanel("", chart, context.innerWidth())};
-  return context.drawn(plate);
+  plate.panels = {surfaceRow(context), bare(chart, context.innerWidth())};
+  return context.drawn(plate, false);
 }
 
 }  // namespace mien

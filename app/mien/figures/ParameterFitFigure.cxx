@@ -15,8 +15,8 @@ namespace mien {
 
 namespace {
 
-constexpr int region = 11;  // the left cheek, which has no slit
-constexpr double frontZ = 0.0;
+constexpr int region = 11;       // the left cheek, which has no slit
+constexpr double frontZ = 40.0;  // mm: beyond it the cheek goes over into the side of the head
 
 /// Points of the region before and after, pupil units.
 struct RegionPoints {
@@ -60,7 +60,6 @@ TextTable coefficientTable(const QuadraticMap& map) {
   table.columns = {{"Term", 1.0}, {"x'", 1.0, true}, {"y'", 1.0, true}};
   const char* const terms[] = {"x²", "xy", "y²", "x", "y", "1"};
   for (int i = 0; i < 6; ++i) {
-    const std::string number = std::to_string(i + 1);
     const auto cell = [&](int row) {
       return QString("%1%2 = %3")
           .arg(row ? "b" : "a")

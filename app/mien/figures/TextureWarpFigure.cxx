@@ -133,10 +133,10 @@ FigureDrawing drawTextureWarp(FigureContext& context) {
   const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
   plate.panels = {picturePanel("Photograph", photograph),
                   overlaidPanel("Source mesh", photograph, meshDrawing(warp.source)),
-                  overlaidPanel("Target mesh in (v, u)", texture, meshDrawing(warp.target)),
+                  context.facePanel("The texture on the surface", state, SceneStyle(), width, faceShape),
                   overlaidPanel("First pass: rows", warped(warp, between), meshDrawing(between)),
                   picturePanel("Second pass: columns", texture),
-                  context.facePanel("On the surface", state, SceneStyle(), width, faceShape)};
+                  overlaidPanel("Target mesh in (v, u)", texture, meshDrawing(warp.target))};
   plate.caption =
       "Two-pass mesh warping: the mesh over the photograph is taken to the places of the same features in "
       "the surface's own coordinates v (across) and u (down).";

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
+#include <locale>
+#include <sstream>
 
 namespace mien {
 
@@ -11,11 +13,12 @@ namespace {
 constexpr int usualDecimals = 3;
 
 std::string withDecimals(double value, int decimals) {
-  char text[400];
   const double scale = std::pow(10.0, decimals);
   if (std::abs(value) * scale < 0.5) value = 0.0;
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::fixed << std::setprecision(decimals) << value;
+  return text.str();
 }
 
 /// Decimals that leave `digits` significant ones of a number above 0.
