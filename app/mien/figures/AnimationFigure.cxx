@@ -61,7 +61,7 @@ PlatePanel texturedRow(FigureContext& context, const std::vector<FaceState>& sta
 }  // namespace
 
 FigureDrawing drawAnimation(FigureContext& context) {
-  const std::vector<FaceState> states = animationStates(context, frames, 0.1, 0.9);
+  const std::vector<FaceState> states = animationStates(context, frames, 0.0, 1.0);
   Plate plate;
   plate.columns = 1;
   plate.panels = {curveRow(context, states), vectorRow(context, states)};
@@ -71,7 +71,7 @@ FigureDrawing drawAnimation(FigureContext& context) {
 }
 
 FigureDrawing drawTexturedAnimation(FigureContext& context) {
-  const std::vector<FaceState> states = animationStates(context, frames, 0.02, 0.5);
+  const std::vector<FaceState> states = animationStates(context, frames, 0.5, 1.0);
   Plate plate;
   plate.columns = 1;
   plate.panels = {texturedRow(context, states, 0, "", true)};
