@@ -4,6 +4,7 @@
 
 #include "BoundaryCurveData.h"
 #include "FaceMotion.h"
+#include "FaceNote.h"
 #include "FaceOptions.h"
 #include "FaceScene.h"
 #include "Failure.h"
@@ -108,8 +109,10 @@ double FigureContext::innerWidth() const {
 }
 
 FigureDrawing FigureContext::drawn(const Plate& plate, bool labelled) const {
+  Plate noted = plate;
+  if (noted.note.empty()) noted.note = faceNote(state_, {state_.surface.scheme});
   const auto painter =
-      std::make_shared<PlatePainter>(plate, settings_.theme, settings_.width, labelled && settings_.labelled);
+      std::make_shared<PlatePainter>(noted, settings_.theme, settings_.width, labelled && settings_.labelled);
   return {painter->size(), [painter](QPainter& p) { painter->paint(p); }};
 }
 

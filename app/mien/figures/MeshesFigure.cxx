@@ -22,9 +22,12 @@ FigureDrawing drawMeshes(FigureContext& context) {
       state.columns = columns;
       SceneStyle style;
       style.mesh = mesh;
-      const std::string size = std::to_string(rows) + " x " + std::to_string(columns);
+      const bool lines = mesh == SceneStyle::Mesh::Wireframe;
+      const std::string size =
+          std::to_string(rows) + " x " + std::to_string(columns) + (lines ? ", wireframe" : ", shaded");
       plate.panels.push_back(picturePanel(size, context.picture(state, style, width, shape)));
     }
+  plate.caption = "Rows x columns of points on the same boundary curves.";
   return context.drawn(plate);
 }
 
