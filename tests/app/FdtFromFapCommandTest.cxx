@@ -60,7 +60,7 @@ TEST(FdtFromFapCommand, TheTableMovesTheFaceAsTheExpressionDoes) {
     for (const json& region : about["regions"]) EXPECT_GT(region["points"], 50);
     const double left = shareLeft(expression, table);
     RecordProperty(expression, std::to_string(left));
-    EXPECT_LT(left, 0.35) << expression;
+    EXPECT_LT(left, 0.25) << expression << ": measured 0.16 (joy) and 0.12 (surprise)";
   }
 }
 
@@ -155,8 +155,7 @@ PlacedFace placedGrid(const Grid& grid) {
 
 }  // namespace
 
-// Measured: see the properties; the quadratic map of a region is what is between the two movements, 35 % of the
-// movement at most over the whole face (above).
+// Measured on these heads: off by 0.2 to 1.4 mm of 7.5 to 8.4, what a quadratic map leaves of the movement at a corner.
 TEST(FdtFromFapCommand, AnotherHeadsMouthCornersFollowTheFaceOfTheParameters) {
   MIEN_REQUIRE_REFERENCE("heads/landmarks68.csv");
   const TemporaryFolder folder;
