@@ -93,10 +93,10 @@ CurveHandle::Vector CurveHandle::inView(const double world[3]) const {
   return {display[0] / ratio, view_->height() - 1.0 - display[1] / ratio, display[2]};
 }
 
-CurveHandle::Vector CurveHandle::worldAt(const QPointF& pixel) const {
+CurveHandle::Vector CurveHandle::worldAt(const QPointF& pixel, double depth) const {
   vtkRenderer* renderer = view_->renderer();
   const double ratio = view_->devicePixelRatioF();
-  renderer->SetDisplayPoint(ratio * pixel.x(), ratio * (view_->height() - 1.0 - pixel.y()), depth_);
+  renderer->SetDisplayPoint(ratio * pixel.x(), ratio * (view_->height() - 1.0 - pixel.y()), depth);
   renderer->DisplayToWorld();
   const double* world = renderer->GetWorldPoint();
   return {world[0] / world[3], world[1] / world[3], world[2] / world[3]};
@@ -167,10 +167,8 @@ bool CurveHandle::press(const QMouseEvent& event) {
   if (event.button() != Qt::LeftButton) return dragging_;
   choose(indexAt(event.localPos()));
   if (index_ < 0) return false;
-  double point[3];
-  curves()->GetPoint(index_, point);
-  depth_ = inView(point)[2];
-  grip_ = worldAt(event.localPos());
+  curves()->GetPoint(index_, grip_.data());
+  gripPixel_ = event.localPos();
   dragging_ = true;
   view_->setFocus();
   view_->setCursor(Qt::ClosedHandCursor);
@@ -178,13 +176,15 @@ bool CurveHandle::press(const QMouseEvent& event) {
   return true;
 }
 
+/// The depth is asked for anew, as it follows the planes between which the view draws.
 bool CurveHandle::move(const QMouseEvent& event) {
   if (!dragging_) {
     if (event.buttons() == Qt::NoButton) choose(indexAt(event.localPos()));
     return false;
   }
-  const Vector place = worldAt(event.localPos());
-  emit dragged({place[0] - grip_[0], place[1] - grip_[1], place[2] - grip_[2]});
+  const double depth = inView(grip_.data())[2];
+  const Vector from = worldAt(gripPixel_, depth), to = worldAt(event.localPos(), depth);
+  emit dragged({to[0] - from[0], to[1] - from[1], to[2] - from[2]});
   return true;
 }
 

@@ -55,7 +55,7 @@ class CurveHandle : public QObject {
   int indexAt(const QPointF& pixel);
   bool isHidden(const double point[3]);
   Vector inView(const double world[3]) const;
-  Vector worldAt(const QPointF& pixel) const;
+  Vector worldAt(const QPointF& pixel, double depth) const;
 
   CurveView* view_;
   FaceModel* model_;
@@ -63,9 +63,9 @@ class CurveHandle : public QObject {
   vtkNew<vtkTextActor> label_;
   vtkNew<vtkStaticCellLocator> skin_;
   bool enabled_ = false, dragging_ = false, outdated_ = true;
-  int index_ = -1;  ///< of the point in the shown curves
-  double depth_ = 0.0;
-  Vector grip_{};
+  int index_ = -1;     ///< of the point in the shown curves
+  Vector grip_{};      ///< where the point was when it was grabbed, mm
+  QPointF gripPixel_;  ///< where the mouse was
 };
 
 }  // namespace mien

@@ -182,7 +182,7 @@ TEST_F(CurveDrag, ARefusedPlaceSnapsBackWithItsReason) {
   EXPECT_EQ(face().curves.points, before.curves.points);
   drag(0, -2);
   EXPECT_EQ(edits().size(), 1u) << "back at a good place it goes on";
-  EXPECT_EQ(message(), "");
+  EXPECT_EQ(message().toStdString(), "");
   drag(0, -60);
   release(0, -60);
   EXPECT_TRUE(edits().empty());
