@@ -111,10 +111,11 @@ TEST(LevelOfDetailFilter, MoreBytesAreLessErrorAndBothWaysAgree) {
 
 TEST(LevelOfDetailFilter, AFlatCutOfTheHeadIsMeasuredExactly) {
   // the scan moved out along z by 1 mm: what faces forward is 1 mm away, and nothing further
-  const Head head(8);
+  const Head head(10);
   vtkNew<vtkLevelOfDetailFilter> filter;
   head.connect(filter);
   filter->SetTolerances({1.0});
+  filter->SetSampleSpacing(8.0);
   filter->Update();
   const double before = rowsOf(filter->GetOutput(), "PDE face")[0]["max_mm"];
   vtkNew<vtkPoints> moved;
@@ -156,7 +157,7 @@ TEST(LevelOfDetailFilter, StopsWhenItIsToldTo) {
 }
 
 TEST(LevelOfDetailFilter, RunsAgainOnlyWhenSomethingChanged) {
-  const Head head(8);
+  const Head head(10);
   vtkNew<vtkLevelOfDetailFilter> filter;
   head.connect(filter);
   filter->SetTolerances({1.0});
@@ -183,7 +184,7 @@ TEST(LevelOfDetailFilter, RunsAgainOnlyWhenSomethingChanged) {
 }
 
 TEST(LevelOfDetailFilter, WrongInputIsAnErrorWithoutATable) {
-  const Head head(8);
+  const Head head(10);
   const auto fault = [&](const std::function<void(vtkLevelOfDetailFilter*)>& change) {
     vtkNew<vtkLevelOfDetailFilter> filter;
     ErrorCounter errors(filter);
