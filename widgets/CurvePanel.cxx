@@ -28,17 +28,16 @@ namespace mien {
 
 namespace {
 
-constexpr double degree = M_PI / 180.0;
 constexpr int middle = FaceLayout::curveCount / 2;
 
 QString textOf(const CurveEdit& edit) {
   return CurvePanel::tr("%1, v %2\u00b0: (%3, %4, %5) mm, width %6\u00b0, spread %7%8")
       .arg(QString::fromStdString(FaceLayout::curveName(edit.curve)))
-      .arg(edit.v / degree, 0, 'f', 1)
+      .arg(edit.vDegrees(), 0, 'f', 1)
       .arg(edit.move.x(), 0, 'f', 1)
       .arg(edit.move.y(), 0, 'f', 1)
       .arg(edit.move.z(), 0, 'f', 1)
-      .arg(edit.width / degree, 0, 'f', 0)
+      .arg(edit.widthDegrees(), 0, 'f', 0)
       .arg(edit.spread)
       .arg(edit.mirrored ? CurvePanel::tr(", mirrored") : QString());
 }
@@ -69,9 +68,10 @@ std::string writeCurves(const FaceState& state, const std::string& file) {
 
 }  // namespace
 
-CurvePanel::CurvePanel(FaceModel* model, QWidget* parent)
+CurvePanel::CurvePanel(FaceModel* model, CurveView* view, QWidget* parent)
     : QWidget(parent),
       model_(model),
+      handle_(new CurveHandle(view, model, this)),
       curve_(new QComboBox(this)),
       point_(new QSpinBox(this)),
       spread_(new QSpinBox(this)),
@@ -82,6 +82,7 @@ CurvePanel::CurvePanel(FaceModel* model, QWidget* parent)
       mirror_(new QCheckBox(tr("Mirror"), this)),
       edits_(new QListWidget(this)),
       apply_(new QToolButton(this)),
+      drag_(new QToolButton(this)),
       undo_(new QToolButton(this)),
       remove_(new QToolButton(this)),
       clear_(new QToolButton(this)),
@@ -97,6 +98,7 @@ CurvePanel::CurvePanel(FaceModel* model, QWidget* parent)
   column->addWidget(moveRow());
   column->addWidget(listColumn(), 1);
   connectControls();
+  connectHandle();
   showEdits();
 }
 
@@ -111,7 +113,7 @@ void CurvePanel::describePlace() {
          "subject's left"));
   width_->setObjectName("curveWidth");
   width_->setRange(1.0, 180.0);
-  width_->setValue(CurveEdit().width / degree);
+  width_->setValue(CurveEdit().widthDegrees());
   width_->setDecimals(1);
   width_->setSuffix("\u00b0");
   width_->setToolTip(tr("Where along the curve the fall-off ends, degrees of v on either side of the point"));
@@ -147,6 +149,10 @@ void CurvePanel::describeButtons() {
     button->setFocusPolicy(Qt::TabFocus);
   };
   describe(apply_, "curveApply", tr("Move"), tr("Moves the point; what would make curves cross is refused"));
+  describe(drag_, "curveDrag", tr("Edit in the view"),
+           tr("Points of the curves are dragged with the mouse in the view Curves, in its plane, with this width, "
+              "spread and mirror; Escape cancels a drag"));
+  drag_->setCheckable(true);
   describe(undo_, "curveUndo", tr("Undo"), tr("Takes the last move back"));
   describe(remove_, "curveRemove", tr("Remove"), tr("Takes the chosen move out of the list"));
   describe(clear_, "curveClear", tr("Remove all"), tr("The curves as they were read"));
@@ -165,7 +171,7 @@ QWidget* CurvePanel::placeRow() {
 }
 
 QWidget* CurvePanel::moveRow() {
-  return rowOf({{tr("Left"), dx_}, {tr("Up"), dy_}, {tr("Forward"), dz_}, {QString(), apply_}});
+  return rowOf({{tr("Left"), dx_}, {tr("Up"), dy_}, {tr("Forward"), dz_}, {QString(), apply_}, {QString(), drag_}});
 }
 
 QWidget* CurvePanel::rowOf(const std::vector<std::pair<QString, QWidget*>>& controls) {
@@ -212,16 +218,56 @@ void CurvePanel::connectControls() {
   point_->setValue(model_->pointsPerCurve() / 2);
 }
 
-void CurvePanel::apply() {
-  CurveEdit edit;
-  edit.curve = curve_->currentIndex();
-  edit.v = 2.0 * M_PI * point_->value() / model_->pointsPerCurve();
+void CurvePanel::connectHandle() {
+  connect(drag_, &QToolButton::toggled, handle_, &CurveHandle::setEnabled);
+  connect(handle_, &CurveHandle::grabbed, this, &CurvePanel::grab);
+  connect(handle_, &CurveHandle::dragged, this, &CurvePanel::drag);
+  connect(handle_, &CurveHandle::cancelled, this, [this] { show(beforeDrag_); });
+}
+
+CurveEdit CurvePanel::editOfControls() const {
+  CurveEdit edit = CurveEdit::ofPoint(curve_->currentIndex(), point_->value(), model_->pointsPerCurve());
   edit.move = {dx_->value(), dy_->value(), dz_->value()};
-  edit.width = width_->value() * degree;
+  edit.setWidthDegrees(width_->value());
   edit.spread = spread_->value();
   edit.mirrored = mirror_->isChecked();
-  model_->change([&](FaceState& state) { state.edits.push_back(edit); });
-  model_->update();
+  return edit;
+}
+
+bool CurvePanel::show(const std::vector<CurveEdit>& edits) {
+  model_->change([&](FaceState& state) { state.edits = edits; });
+  return model_->update();
+}
+
+void CurvePanel::apply() {
+  std::vector<CurveEdit> edits = model_->state().edits;
+  edits.push_back(editOfControls());
+  show(edits);
+}
+
+void CurvePanel::grab(int curve, int point) {
+  beforeDrag_ = model_->state().edits;
+  curve_->setCurrentIndex(curve);
+  point_->setValue(point);
+}
+
+/// Through the controls, so that a drag is the edit that the same numbers make. A refused place leaves the curves as
+/// they were before the drag, not at its last good place.
+void CurvePanel::drag(const CurveHandle::Vector& move) {
+  dx_->setValue(move[0]);
+  dy_->setValue(move[1]);
+  dz_->setValue(move[2]);
+  std::vector<CurveEdit> edits = beforeDrag_;
+  if (!editOfControls().move.isZero()) edits.push_back(editOfControls());
+  if (show(edits) || model_->state().edits == beforeDrag_) return;
+  show(beforeDrag_);
+  show(edits);
+}
+
+/// Who does not see the numbers does not move curves by accident.
+void CurvePanel::hideEvent(QHideEvent* event) {
+  drag_->setChecked(false);
+  QWidget::hideEvent(event);
 }
 
 void CurvePanel::remove(int index) {

@@ -4,6 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "CurveEdit.h"
+#include "CurveHandle.h"
+
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
@@ -13,16 +16,21 @@ class QToolButton;
 
 namespace mien {
 
+class CurveView;
 class FaceModel;
 
-/// Where should the boundary curves of the neutral face lie? Points of curves are moved by numbers, with a smooth
-/// fall-off and mirrored or not; the moves stand in a list, from which they can be taken, and the curves are saved.
+/// Where should the boundary curves of the neutral face lie? Points of curves are moved by numbers or dragged in the
+/// view of the curves, with a smooth fall-off and mirrored or not; the moves stand in a list, from which they can be
+/// taken, and the curves are saved.
 class CurvePanel : public QWidget {
   Q_OBJECT
  public:
-  explicit CurvePanel(FaceModel* model, QWidget* parent = nullptr);
+  CurvePanel(FaceModel* model, CurveView* view, QWidget* parent = nullptr);
 
   bool save(const QString& fileName);  ///< the edited neutral curves as .vtp; the message bar says what is wrong
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
 
  private:
   QWidget* placeRow();
@@ -33,18 +41,25 @@ class CurvePanel : public QWidget {
   void describeMove();
   void describeButtons();
   void connectControls();
+  void connectHandle();
+  CurveEdit editOfControls() const;
+  bool show(const std::vector<CurveEdit>& edits);
+  void grab(int curve, int point);
+  void drag(const CurveHandle::Vector& move);
   void apply();
   void remove(int index);
   void chooseSaved();
   void showEdits();
 
   FaceModel* model_;
+  CurveHandle* handle_;
+  std::vector<CurveEdit> beforeDrag_;
   QComboBox* curve_;
   QSpinBox *point_, *spread_;
   QDoubleSpinBox *dx_, *dy_, *dz_, *width_;
   QCheckBox* mirror_;
   QListWidget* edits_;
-  QToolButton *apply_, *undo_, *remove_, *clear_, *save_;
+  QToolButton *apply_, *drag_, *undo_, *remove_, *clear_, *save_;
 };
 
 }  // namespace mien

@@ -104,7 +104,7 @@ void FitBar::showFit() {
   if (!fit) return status_->setText(tr("The fit is being computed."));
   if (!fit->fault.isEmpty()) return status_->setText(fit->fault);
   if (!moves)
-    return status_->setText(tr("A: %1. The present face is A; move it to fit a table.").arg(present_->neutralText()));
+    return status_->setText(tr("A: %1. The present face is A; move it.").arg(present_->neutralText()));
   const auto worst = std::max_element(fit->rms.begin(), fit->rms.end());
   status_->setText(tr("A: %1. RMS %2, at most %3 (region %4) pupil units")
                        .arg(present_->neutralText())

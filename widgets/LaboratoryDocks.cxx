@@ -29,7 +29,8 @@ constexpr double pictureShare = 0.4;  // of a higher window
 
 }  // namespace
 
-LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, FaceView* view, QMainWindow* window)
+LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, FaceView* view, CurveView* curves,
+                                 QMainWindow* window)
     : QObject(window), view_(view), window_(window) {
   window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   plot_ = add("plotDock", tr("FAPs over time"), new FAPPlotPanel(model, player));
@@ -42,7 +43,7 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
   add("deformationDock", tr("Deformation"), new DeformationPanel(model, view));
-  add("curvesDock", tr("Curves"), new CurvePanel(model));
+  add("curvesDock", tr("Curves"), new CurvePanel(model, curves));
   giveHeight(add("textureDock", tr("Texture"), new TexturePanel(model, view)));
 }
 

@@ -8,6 +8,7 @@ class QMainWindow;
 namespace mien {
 
 class AnimationPlayer;
+class CurveView;
 class FaceModel;
 class FaceView;
 class TimelinePanel;
@@ -17,7 +18,7 @@ class ViewFrame;
 class LaboratoryDocks : public QObject {
   Q_OBJECT
  public:
-  LaboratoryDocks(FaceModel* model, AnimationPlayer* player, FaceView* view, QMainWindow* window);
+  LaboratoryDocks(FaceModel* model, AnimationPlayer* player, FaceView* view, CurveView* curves, QMainWindow* window);
 
   /// A button in the head of the face that brings the plain skin back.
   void addSkinButton(ViewFrame* frame);

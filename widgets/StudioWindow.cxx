@@ -73,7 +73,7 @@ StudioWindow::StudioWindow()
       face_(new FaceView(model_)),
       curves_(new CurveView(model_)),
       messages_(new MessageBar),
-      laboratory_(new LaboratoryDocks(model_, player_, face_, this)) {
+      laboratory_(new LaboratoryDocks(model_, player_, face_, curves_, this)) {
   setObjectName("studioWindow");
   setWindowTitle(tr("Mien Studio"));
   setAcceptDrops(true);

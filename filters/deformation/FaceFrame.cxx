@@ -228,8 +228,9 @@ std::string readRegions(const std::string& file, FacialRegions& regions) {
   std::string text;
   const std::string unreadable = readTextFile(file, largestText, text);
   if (!unreadable.empty()) return file + ":" + unreadable;
-  const std::string fault = regions.parse(text);
-  return fault.empty() ? fault : file + ": " + fault;
+  int line = 0;
+  const std::string fault = regions.parse(text, &line);
+  return fault.empty() ? fault : file + (line ? ":" + std::to_string(line) : "") + ": " + fault;
 }
 
 }  // namespace mien

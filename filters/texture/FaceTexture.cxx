@@ -154,6 +154,9 @@ std::string makeFaceTexture(const FaceState& state, vtkPolyData* curves, vtkImag
   std::string fault = readImageFile(state.texture, photograph);
   if (fault.empty()) fault = readSourceMesh(meshFile, source);
   if (!fault.empty()) return fault;
+  FaceCurves face;
+  fault = readFaceCurves(curves, face);
+  if (!fault.empty()) return (state.curvesFile.empty() ? "the generic face" : state.curvesFile) + ": " + fault;
   fault = warpFaceTexture(photograph, source, curves, faceTextureWidth, faceTextureHeight, {}, texture);
   return fault.empty() ? fault : meshFile + ": " + fault;
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "CommaText.h"
 #include "NamedTables.h"
 #include "Program.h"
 #include "SampleRecording.h"
@@ -34,6 +35,10 @@ struct Fit {
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   EXPECT_NE(text.find(from), std::string::npos) << from;
   return text.replace(text.find(from), from.size(), to);
+}
+
+std::string negated(const std::string& number) {
+  return number[0] == '-' ? number.substr(1) : "-" + number;
 }
 
 std::string withoutRegion(const std::string& text, int region, int keep) {
@@ -125,9 +130,36 @@ TEST(FdtFitCommand, SparseRegionsAreNamedAndStrictRefusesThem) {
   const Fit strict(text, {"--strict"});
   EXPECT_EQ(strict.outcome.exitCode, 1);
   EXPECT_FALSE(strict.wrote());
-  const Fit empty(withoutRegion(sample().recording(), 16, 0));
-  EXPECT_EQ(empty.outcome.exitCode, 1);
-  EXPECT_NE(empty.outcome.errors.find("no point lies in region 16"), std::string::npos) << empty.outcome.errors;
+}
+
+TEST(FdtFitCommand, RegionsWithoutMarkersStayStillWithAWarningAndStrictRefusesThem) {
+  const std::string text = withoutRegion(sample().recording(), 16, 0);
+  const Fit fit(text);
+  ASSERT_EQ(fit.outcome.exitCode, 0) << fit.outcome.errors;
+  EXPECT_NE(fit.outcome.errors.find("r.csv: region 16 has no point and will not move"), std::string::npos)
+      << fit.outcome.errors;
+  const mien::DeformationTable table = fit.table();
+  EXPECT_EQ(table.maps[15].coefficients, mien::QuadraticMap::identity());
+  for (int i = 0; i < 15; ++i)
+    EXPECT_LT((table.maps[i].coefficients - mien::namedTable("joy")->maps[i].coefficients).norm(), 1e-8) << i + 1;
+  const Fit strict(text, {"--strict"});
+  EXPECT_EQ(strict.outcome.exitCode, 1);
+  EXPECT_NE(strict.outcome.errors.find("no point lies in region 16"), std::string::npos) << strict.outcome.errors;
+  EXPECT_FALSE(strict.wrote());
+}
+
+TEST(FdtFitCommand, MirroredPicturesGiveTheTableOfTheUprightOnes) {
+  std::istringstream lines(sample().recording());
+  std::string line, mirrored;
+  for (bool header = true; std::getline(lines, line); header = false) {
+    const std::vector<std::string> cells = mien::splitAtCommas(line);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      mirrored += (i ? "," : "") + (!header && (i == 1 || i == 4) ? negated(cells[i]) : cells[i]);
+    mirrored += "\n";
+  }
+  const Fit fit(mirrored, {"--mirrored"});
+  ASSERT_EQ(fit.outcome.exitCode, 0) << fit.outcome.errors;
+  EXPECT_LT(tableDifference(fit.table(), *mien::namedTable("joy")), 1e-9);
 }
 
 TEST(FdtFitCommand, BlankCellsAreMissingMarkersAndRegionsCanBeGiven) {
@@ -161,6 +193,9 @@ TEST(FdtFitCommand, ErrorsNameFileRowAndWhatToDo) {
   expect(replaced(good, "\nm4,", "\nm4,nan,"), "r.csv:6: ");
   expect(replaced(good, "\nm4,", "\nm4,1,1,1,1,1,1\nm5,1,1,1,1,1,x\nm5,"), "r.csv:7: m5: 'x' in column expression_z");
   expect("", "r.csv:1: ");
+  std::string semicolons = good;
+  std::replace(semicolons.begin(), semicolons.end(), ',', ';');
+  expect(semicolons, "separated by semicolons");
   EXPECT_EQ(runMien({"fdt", "fit"}).exitCode, 2);
   EXPECT_EQ(runMien({"fdt", "fit", "a.csv", "--neutral", "b.csv"}).exitCode, 2);
   EXPECT_EQ(runMien({"fdt", "fit", "/nowhere.csv"}).exitCode, 1);

@@ -115,7 +115,7 @@ TEST(FdtShowCommand, PrintsAndDrawsATable) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
     const std::string figure = readTextFile(folder.file("j.svg"));
     EXPECT_EQ(figure.find("<image"), std::string::npos);
-    for (const char* const part : {">16<", "Regions", "±", "smooth, 2 times", "pupil units,", "mien fdt show joy"})
+    for (const char* const part : {">16<", "Regions", "±", "true to scale", "1 pupil unit,", "mien fdt show joy"})
       EXPECT_NE(figure.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(csvRows(folder.file("j.csv")).size(), 192u);

@@ -34,6 +34,16 @@ TEST(CurveEdit, NoEditChangesNothing) {
   EXPECT_EQ(edited({edit("C6", 2.0, {0, 0, 0})}).curves.points, SyntheticFace::make().curves.points);
 }
 
+TEST(CurveEdit, AnglesInDegreesAndPointsByTheirNumber) {
+  CurveEdit quarter = CurveEdit::ofPoint(3, 10, 40);
+  EXPECT_EQ(quarter.curve, 3);
+  EXPECT_DOUBLE_EQ(quarter.v, M_PI / 2);
+  EXPECT_DOUBLE_EQ(quarter.vDegrees(), 90.0);
+  quarter.setWidthDegrees(45.0);
+  EXPECT_DOUBLE_EQ(quarter.width, M_PI / 4);
+  EXPECT_DOUBLE_EQ(quarter.widthDegrees(), 45.0);
+}
+
 TEST(CurveEdit, ThePointGoesWhereItIsMovedAndTheRestFallsOff) {
   const FaceCurves before = SyntheticFace::make();
   const double v = 2.0 * M_PI * 23 / 40;

@@ -19,5 +19,7 @@ TEST(DeviationText, NothingReadsMinusZeroOrLosesASmallNumber) {
   EXPECT_EQ(fixedText(-0.0000001), "0.000");
   EXPECT_EQ(fixedText(-0.00012), "-0.00012");
   EXPECT_EQ(fixedText(1.609), "1.609");
+  EXPECT_EQ(fixedText(-0.003), "-0.003") << "no digit that was not given";
+  EXPECT_EQ(fixedText(0.0031), "0.0031");
   EXPECT_EQ(rangeText(1.0, 0.0, "+-"), "1.000+-0.000");
 }

@@ -64,6 +64,7 @@ TEST(FDTMalformed, RegionMapsAreRefusedAndStayAsTheyWere) {
     const std::string fault = regions.parse(text);
     EXPECT_EQ(regions.name(16), "chin");
     EXPECT_EQ(fault.rfind("region map: ", 0), 0u) << fault;
+    EXPECT_EQ(fault.find("json.exception"), std::string::npos) << fault;
     return fault;
   });
   EXPECT_GE(files, 17);

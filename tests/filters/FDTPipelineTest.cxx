@@ -197,5 +197,5 @@ TEST(FDTPipeline, ReadsARegionMapOfOnesOwn) {
   errors.clear();
   filter->SetRegionFileName(file);
   filter->Update();
-  EXPECT_NE(errors.first().find(file + ": region map"), std::string::npos) << errors.first();
+  EXPECT_NE(errors.first().find(file + ":1: region map"), std::string::npos) << errors.first();
 }

@@ -11,8 +11,10 @@
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <cmath>
 
 #include "BoundaryCurveData.h"
+#include "CurveHandle.h"
 #include "CurvePanel.h"
 #include "FaceModel.h"
 #include "StudioFixture.h"
@@ -95,6 +97,110 @@ TEST_F(CurvePanel, CurvesThatWouldCrossAreRefusedAndNamed) {
   EXPECT_EQ(find<QListWidget>("curveEdits")->count(), 0);
 }
 
+/// Handles in the view of the curves, which must have been drawn for its pixels to be known.
+class CurveDrag : public CurvePanel {
+ protected:
+  CurveDrag() {
+    drawViews();
+    view = find<QWidget>("curveView");
+    handle = find<mien::CurvePanel>("curvePanel")->findChild<mien::CurveHandle*>();
+    find<QToolButton>("curveDrag")->setChecked(true);
+  }
+
+  void grab(int curve, int point) {
+    start = handle->pixelOf(curve, point).toPoint();
+    QTest::mousePress(view, Qt::LeftButton, {}, start);
+  }
+  void drag(int right, int down) { dragTo(view, start + QPoint(right, down)); }
+  void release(int right, int down) { QTest::mouseRelease(view, Qt::LeftButton, {}, start + QPoint(right, down)); }
+
+  QWidget* view = nullptr;
+  mien::CurveHandle* handle = nullptr;
+  QPoint start;
+};
+
+TEST_F(CurveDrag, ADragIsTheEditOfTheSameNumbers) {
+  const mien::FaceCurves before = face();
+  grab(14, 24);
+  EXPECT_EQ(handle->name(), QString("C15, v 216.0\u00b0"));
+  drag(1, -1);
+  drag(2, -3);
+  const mien::FaceCurves during = face();
+  ASSERT_EQ(edits().size(), 1u);
+  release(2, -3);
+  ASSERT_EQ(edits().size(), 1u) << "one step of undo";
+  const mien::CurveEdit dragged = edits().front();
+  EXPECT_GT(dragged.move.x(), 0.2);
+  EXPECT_GT(dragged.move.y(), dragged.move.x());
+  EXPECT_EQ(dragged.move.z(), 0.0) << "in the plane of the view from the front";
+  EXPECT_LT((during.curves.curve(14).row(24) - before.curves.curve(14).row(24) - dragged.move.transpose()).norm(),
+            1e-9);
+  click("curveUndo");
+  EXPECT_EQ(face().curves.points, before.curves.points);
+  find<QComboBox>("curveCurve")->setCurrentText("C15");
+  find<QSpinBox>("curvePoint")->setValue(24);
+  find<QDoubleSpinBox>("curveDx")->setValue(dragged.move.x());
+  find<QDoubleSpinBox>("curveDy")->setValue(dragged.move.y());
+  find<QDoubleSpinBox>("curveDz")->setValue(0.0);
+  click("curveApply");
+  ASSERT_EQ(edits().size(), 1u);
+  EXPECT_TRUE(edits().front() == dragged);
+  EXPECT_EQ(face().curves.points, during.curves.points);
+}
+
+TEST_F(CurveDrag, ThePointStaysUnderTheMouse) {
+  grab(14, 24);
+  drag(3, -2);
+  release(3, -2);
+  const QPointF off = handle->pixelOf(14, 24) - QPointF(start + QPoint(3, -2));
+  EXPECT_LT(std::hypot(off.x(), off.y()), 1.0) << "half a pixel of the grip, and moves in hundredths of mm";
+}
+
+TEST_F(CurveDrag, EscapeCancels) {
+  const mien::FaceCurves before = face();
+  raise(0.5);
+  const mien::FaceCurves raised = face();
+  grab(14, 24);
+  drag(2, -2);
+  ASSERT_EQ(edits().size(), 2u);
+  QTest::keyClick(view, Qt::Key_Escape);
+  EXPECT_EQ(edits().size(), 1u);
+  drag(4, -4);
+  release(4, -4);
+  EXPECT_EQ(face().curves.points, raised.curves.points);
+  EXPECT_NE(face().curves.points, before.curves.points);
+}
+
+TEST_F(CurveDrag, ARefusedPlaceSnapsBackWithItsReason) {
+  const mien::FaceCurves before = face();
+  grab(14, 24);
+  drag(0, -2);
+  EXPECT_EQ(edits().size(), 1u);
+  drag(0, -60);
+  EXPECT_TRUE(edits().empty());
+  EXPECT_TRUE(message().contains("C15")) << message().toStdString();
+  EXPECT_EQ(face().curves.points, before.curves.points);
+  drag(0, -2);
+  EXPECT_EQ(edits().size(), 1u) << "back at a good place it goes on";
+  EXPECT_EQ(message().toStdString(), "");
+  drag(0, -60);
+  release(0, -60);
+  EXPECT_TRUE(edits().empty());
+  EXPECT_TRUE(message().contains("C15"));
+}
+
+TEST_F(CurveDrag, PointsBehindTheFaceAndAClosedDockHaveNoHandles) {
+  grab(14, 0);  // v = 0 is at the back of the head
+  EXPECT_NE(handle->name(), QString("C15, v 0.0\u00b0"));
+  QTest::keyClick(view, Qt::Key_Escape);
+  find<QAction>("curvesDockAction")->trigger();
+  EXPECT_FALSE(find<QToolButton>("curveDrag")->isChecked());
+  grab(14, 24);
+  EXPECT_FALSE(handle->isShown());
+  release(0, 0);
+  EXPECT_TRUE(edits().empty());
+}
+
 TEST_F(CurvePanel, SavedCurvesAreTheFaceOfTheMoves) {
   QTemporaryDir folder;
   raise(1.5);
@@ -115,7 +221,7 @@ TEST_F(CurvePanel, SavedCurvesAreTheFaceOfTheMoves) {
 TEST_F(CurvePanel, EveryControlIsNamedExplainedAndReachedByKeyboard) {
   for (const char* name :
        {"curveCurve", "curvePoint", "curveWidth", "curveSpread", "curveMirror", "curveDx", "curveDy", "curveDz",
-        "curveApply", "curveEdits", "curveUndo", "curveRemove", "curveClear", "curveSave"}) {
+        "curveApply", "curveDrag", "curveEdits", "curveUndo", "curveRemove", "curveClear", "curveSave"}) {
     auto* control = find<QWidget>(name);
     EXPECT_FALSE(control->toolTip().isEmpty()) << name;
     EXPECT_TRUE(control->focusPolicy() & Qt::TabFocus) << name;

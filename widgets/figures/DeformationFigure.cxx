@@ -73,7 +73,7 @@ void addReference(PlaneDrawing& drawing, const QRectF& face, const DeformationFi
   const double length = referenceLength(options.magnification);
   const QPointF at(face.left(), face.top() - 0.6 * keyHeight), move(options.magnification * length, 0.0);
   addArrow(drawing, at, move);
-  std::string text = shortNumber(length) + " pupil units";
+  std::string text = shortNumber(length) + (length == 1.0 ? " pupil unit" : " pupil units");
   if (options.pupilUnit > 0.0) text += ", " + shortNumber(length * options.pupilUnit) + " mm";
   drawing.labels.push_back({at + move, QString::fromStdString(text), 6.0, Qt::AlignLeft, {}, false});
 }
@@ -129,9 +129,10 @@ Plate deformationPlate(const DeformationTable& table, const FacialRegions& regio
   const PlaneDrawing arrows = arrowDrawing(regions, face, options);
   const QRectF shown = face.adjusted(0.0, -keyHeight, 0.0, 0.0).united(arrows.bounds());
   plate.panels.push_back(drawingPanel("Regions", regionDrawing(regions, options), shown));
-  plate.panels.push_back(drawingPanel(std::string("Displacements, ") + (options.hard ? "hard, " : "smooth, ") +
-                                          shortNumber(options.magnification) + " times",
-                                      arrows, shown));
+  plate.panels.push_back(
+      drawingPanel("Displacements, " +
+                       (options.magnification == 1.0 ? "true to scale" : shortNumber(options.magnification) + " times"),
+                   arrows, shown));
   const int span = width < narrowWidth ? 2 : 1;
   for (int row = 0; row < (options.coefficients ? 2 : 0); ++row) {
     plate.panels.push_back(coefficientPanel(table, row, PlatePainter::panelWidth(width, plate.columns, span)));

@@ -19,7 +19,7 @@ struct DeformationFigureOptions {
   std::vector<QPolygonF> faceLines;      ///< of a face, pupil units, drawn behind the regions
   std::vector<DeformationArrow> arrows;  ///< of the same face, as the table moves it
   bool hard = false;                     ///< whether the arrows are those of hard regions
-  double magnification = 2.0;            ///< of the arrows
+  double magnification = 1.0;            ///< of the arrows
   double pupilUnit = 0.0;                ///< of the face, mm; 0: not known
   bool coefficients = true;              ///< whether the coefficients are set below
 };

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -73,9 +72,6 @@ void check(const Options& options, bool markers) {
     throw ValueFailure("give a table and a face: mien fdt apply joy head.ply -o smiling.ply");
   requireEnding(options.outputFile, markers ? std::vector<std::string>{"csv"} : surfaceEndings());
   const OutputFile writable(options.outputFile);
-  std::error_code different;
-  if (std::filesystem::equivalent(options.inputs.back(), options.outputFile, different))
-    throw ValueFailure("-o " + options.outputFile + " is the face that is read; give another file");
   if (!markers && options.deformation.reading.turnsAxes())
     throw ValueFailure("--y-down and --mirrored are for marker files; surfaces have y up and x to the subject's left");
   if (markers && !options.deformation.landmarks.empty())

@@ -87,7 +87,7 @@ void addFdtFitCommand(CLI::App& parent) {
   command->add_option("--expression", options->expression,
                       "The face after: the same markers, or a surface with the same points in the same order");
   options->output.addTo(*command, "Table to write, FILE.csv");
-  command->add_flag("--strict", options->strict, "A region with fewer than 6 independent points is an error");
+  command->add_flag("--strict", options->strict, "A region with no point or fewer than 6 independent ones is an error");
   options->reading.addTo(*command, true);
   command
       ->add_option("--landmarks", options->landmarks,
@@ -97,6 +97,7 @@ void addFdtFitCommand(CLI::App& parent) {
       "Example: mien fdt fit anna_joy.csv -o joy.csv\n"
       "         mien fdt fit --neutral before.csv --expression after.csv --y-down --pupils eyeL,eyeR -o smile.csv\n"
       "         mien fdt fit --neutral anna.ply --expression anna_joy.ply --landmarks anna68.csv --json\n"
+      "Regions without markers do not move, as the forehead of the 68 landmarks; a warning names them.\n"
       "Blank cells are markers that were not seen. Markers named landmark00 .. landmark67 (Multi-PIE) tell upper from "
       "lower lips.");
   command->callback([options] { run(*options); });

@@ -20,7 +20,7 @@ namespace {
 using json = nlohmann::ordered_json;
 
 struct Options {
-  std::string table, magnification = "2";
+  std::string table, magnification = "1";
   bool noCoefficients = false;
   DeformationOptions deformation;
   ReportOptions report;

@@ -58,7 +58,7 @@ json FittedTable::rows(const FacialRegions& map) const {
 
 FittedTable fitMarkers(const MarkerTable& markers, const FacialRegions& regions, bool strict, const std::string& file) {
   TableFit fit;
-  const std::string fault = fit.fit(samplesOf(markers, regions), {strict});
+  const std::string fault = fit.fit(samplesOf(markers, regions), {strict, true});
   if (!fault.empty()) throw FileFailure(file + ": " + fault);
   FittedTable fitted;
   fitted.table = fit.table;
@@ -79,6 +79,7 @@ FittedTable fitSurfaces(vtkPointSet* neutral, vtkPointSet* expression, const Mar
   filter->SetRegionFileName(options.regionFile());
   filter->SetLandmarkFileName(landmarkFile);
   filter->SetStrict(strict);
+  filter->SetAllowEmptyRegions(true);
   const MarkerOptions markers = options.markers();
   filter->SetLeftPupilName(markers.leftPupil);
   filter->SetRightPupilName(markers.rightPupil);

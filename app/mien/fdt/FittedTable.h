@@ -22,7 +22,7 @@ struct FittedTable {
   DeformationTable table;
   std::array<Region, FacialRegions::count> regions;
   double rms = 0.0;                  ///< over all points, pupil units
-  std::string warning;               ///< names the sparse regions, or is empty
+  std::string warning;               ///< names the empty and sparse regions, or is empty
   std::vector<std::string> missing;  ///< markers that were not seen in both states
 
   /// rms, regions[] {region, name, points, a[6], b[6], rms}, and warning and missing where there are any.
@@ -32,7 +32,8 @@ struct FittedTable {
   nlohmann::ordered_json rows(const FacialRegions& map) const;
 };
 
-/// Fits a table to a recording; what is wrong is a FileFailure that names `file`. Sparse regions are one with `strict`.
+/// Fits a table to a recording; what is wrong is a FileFailure that names `file`. Sparse regions and
+/// those without a point, which stay the identity with a warning, are one with `strict`.
 FittedTable fitMarkers(const MarkerTable& markers, const FacialRegions& regions, bool strict, const std::string& file);
 
 /// Fits a table to a surface before and after: as many points in the same order (vtkFDTFitFilter).

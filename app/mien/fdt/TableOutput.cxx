@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "Failure.h"
 #include "OutputFile.h"
 #include "TableRows.h"
 #include "TableText.h"
@@ -21,7 +22,10 @@ void TableOutput::check() const {
 }
 
 void TableOutput::write(const DeformationTable& table, const std::string& comment) const {
-  if (!file_.empty()) OutputFile::write(file_, writeTable(table, comment));
+  if (file_.empty()) return;
+  const std::string excess = table.describeExcess();
+  if (!excess.empty()) throw FileFailure(file_ + " is not written: " + excess);
+  OutputFile::write(file_, writeTable(table, comment));
 }
 
 void TableOutput::writeRows(const nlohmann::ordered_json& rows) const {

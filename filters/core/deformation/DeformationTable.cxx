@@ -5,6 +5,13 @@
 
 namespace mien {
 
+std::string DeformationTable::describeExcess() const {
+  for (int i = 0; i < regionCount; ++i)
+    if (!(maps[i].coefficients.cwiseAbs().maxCoeff() <= largestCoefficient))
+      return "region " + std::to_string(i + 1) + " has a coefficient beyond -100 .. 100, which no face reaches";
+  return {};
+}
+
 DeformationTable DeformationTable::blended(const DeformationTable& other, double fraction) const {
   DeformationTable result;
   for (int i = 0; i < regionCount; ++i)

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,12 +13,16 @@ namespace mien {
 /// A facial deformation table (FDT): a quadratic map for each of the 16 regions [Obaid et al. 2009, table I].
 struct DeformationTable {
   static constexpr int regionCount = 16;
+  static constexpr double largestCoefficient = 100.0;  ///< either sign; files with larger ones are refused
   using Maps = std::array<QuadraticMap, regionCount>;
   using Deviations = std::array<QuadraticMap::Coefficients, regionCount>;
 
   Maps maps;                             ///< region r at index r - 1
   std::optional<Deviations> deviations;  ///< standard deviation of every coefficient over subjects
   double largestDisplacement = 0.0;      ///< of the points it was fitted to, pupil units; 0: not known
+
+  /// Nothing, or one sentence that names the first region with a coefficient beyond the limit.
+  std::string describeExcess() const;
 
   /// Between this table (0) and another (1), coefficient by coefficient; beyond 0 .. 1 it extrapolates. No deviations.
   DeformationTable blended(const DeformationTable& other, double fraction) const;

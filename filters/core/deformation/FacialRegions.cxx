@@ -2,36 +2,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "JsonText.h"
 #include "SmoothStep.h"
 
 namespace mien {
 
 namespace {
 
-using Json = nlohmann::json;
 constexpr int knownVersion = 1;
 
 double finite(const Json& json, const char* key, double smallest, double largest) {
   const double value = json.at(key).get<double>();
   if (!(value >= smallest && value <= largest))
-    throw std::invalid_argument(std::string(key) + " must be a number from " + std::to_string(smallest) + " to " +
-                                std::to_string(largest));
+    refuse(std::string(key) + " must be a number from " + std::to_string(smallest) + " to " + std::to_string(largest));
   return value;
 }
 
 Eigen::Vector2d pair(const Json& json, const char* key) {
   const auto values = json.at(key).get<std::array<double, 2>>();
   const Eigen::Vector2d result(values[0], values[1]);
-  if (!result.allFinite()) throw std::invalid_argument(std::string(key) + " must be two finite numbers");
+  if (!result.allFinite()) refuse(std::string(key) + " must be two finite numbers");
   return result;
 }
 
 std::array<double, 2> ascending(const Json& json, const char* key) {
   const Eigen::Vector2d range = pair(json, key);
-  if (range[0] >= range[1]) throw std::invalid_argument(std::string(key) + " must be two ascending numbers");
+  if (range[0] >= range[1]) refuse(std::string(key) + " must be two ascending numbers");
   return {range[0], range[1]};
 }
 
@@ -41,9 +38,8 @@ FacialRegions::Slit slit(const Json& json) {
   result.separation = finite(json, "separation", 0.0, 10.0);
   for (const auto& [key, side] : {std::pair("upper", 1.0), {"lower", -1.0}})
     for (const int region : json.at(key).get<std::vector<int>>()) {
-      if (region < 1 || region > FacialRegions::count) throw std::invalid_argument("region numbers run from 1 to 16");
-      if (result.sides[region - 1] != 0.0)
-        throw std::invalid_argument("region " + std::to_string(region) + " is given twice beside a slit");
+      if (region < 1 || region > FacialRegions::count) refuse("region numbers run from 1 to 16");
+      if (result.sides[region - 1] != 0.0) refuse("region " + std::to_string(region) + " is given twice beside a slit");
       result.sides[region - 1] = side;
     }
   return result;
@@ -52,45 +48,53 @@ FacialRegions::Slit slit(const Json& json) {
 }  // namespace
 
 struct FacialRegions::Reader {
-  static void read(const Json& regions, FacialRegions& parsed) {
-    if (!regions.is_array() || regions.size() != count) throw std::invalid_argument("there must be 16 regions");
-    for (const Json& region : regions) {
-      const int id = region.at("region").get<int>(), mirror = region.at("mirror").get<int>();
-      if (std::min(id, mirror) < 1 || std::max(id, mirror) > count)
-        throw std::invalid_argument("region numbers run from 1 to 16");
-      if (parsed.mirrored_[id - 1]) throw std::invalid_argument("region " + std::to_string(id) + " is given twice");
-      parsed.mirrored_[id - 1] = mirror;
-      parsed.names_[id - 1] = region.at("name").get<std::string>();
-      parsed.centres_[id - 1] = pair(region, "centre");
-    }
+  static void read(const Json& root, FacialRegions& parsed) {
+    parsed.version_ = root.at("version").get<int>();
+    if (parsed.version_ != knownVersion) refuse("version must be 1, the only one known");
+    readRegions(root.at("regions"), parsed);
+    parsed.blend_ = finite(root, "blend", 1e-3, 10.0);
+    within("outline", [&] { readOutline(root.at("outline"), parsed); });
+    within("lips", [&] { parsed.lips_ = slit(root.at("lips")); });
+    within("lids", [&] { parsed.lids_ = slit(root.at("lids")); });
+    within("back", [&] { parsed.depthRange_ = ascending(root.at("back"), "depth"); });
+  }
+
+ private:
+  static void readOutline(const Json& outline, FacialRegions& parsed) {
+    parsed.outlineCentre_ = pair(outline, "centre");
+    parsed.outlineRadii_ = pair(outline, "radii");
+    if (parsed.outlineRadii_.minCoeff() <= 0.0) refuse("radii must be positive");
+    parsed.outlineExponent_ = finite(outline, "exponent", 1.0, 20.0);
+    parsed.outlineFade_ = finite(outline, "fade", 1e-3, 10.0);
+  }
+
+  static void readRegions(const Json& regions, FacialRegions& parsed) {
+    if (!regions.is_array() || regions.size() != count) refuse("there must be 16 regions");
+    int row = 0;
+    for (const Json& region : regions)
+      within("entry " + std::to_string(++row) + " of regions", [&] { readRegion(region, parsed); });
     for (int id = 1; id <= count; ++id)
       if (parsed.mirrored(parsed.mirrored(id)) != id)
-        throw std::invalid_argument("region " + std::to_string(id) + " is not the mirror of its mirror");
+        refuse("region " + std::to_string(id) + " is not the mirror of its mirror");
+  }
+
+  static void readRegion(const Json& region, FacialRegions& parsed) {
+    const int id = region.at("region").get<int>(), mirror = region.at("mirror").get<int>();
+    if (std::min(id, mirror) < 1 || std::max(id, mirror) > count) refuse("region numbers run from 1 to 16");
+    if (parsed.mirrored_[id - 1]) refuse("region " + std::to_string(id) + " is given twice");
+    parsed.mirrored_[id - 1] = mirror;
+    parsed.names_[id - 1] = region.at("name").get<std::string>();
+    parsed.centres_[id - 1] = pair(region, "centre");
   }
 };
 
-std::string FacialRegions::parse(const std::string& text) {
+std::string FacialRegions::parse(const std::string& text, int* faultLine) {
   FacialRegions parsed;
-  try {
-    const Json json = Json::parse(text);
-    parsed.version_ = json.at("version").get<int>();
-    if (parsed.version_ != knownVersion) throw std::invalid_argument("version must be 1, the only one known");
-    Reader::read(json.at("regions"), parsed);
-    parsed.blend_ = finite(json, "blend", 1e-3, 10.0);
-    const Json &outline = json.at("outline"), &back = json.at("back");
-    parsed.outlineCentre_ = pair(outline, "centre");
-    parsed.outlineRadii_ = pair(outline, "radii");
-    if (parsed.outlineRadii_.minCoeff() <= 0.0) throw std::invalid_argument("radii must be positive");
-    parsed.outlineExponent_ = finite(outline, "exponent", 1.0, 20.0);
-    parsed.outlineFade_ = finite(outline, "fade", 1e-3, 10.0);
-    parsed.lips_ = slit(json.at("lips"));
-    parsed.lids_ = slit(json.at("lids"));
-    parsed.depthRange_ = ascending(back, "depth");
-  } catch (const std::exception& error) {
-    return std::string("region map: ") + error.what();
-  }
-  *this = parsed;
-  return {};
+  int line = 0;
+  const std::string fault = parseJson(text, "region map", line, [&](const Json& root) { Reader::read(root, parsed); });
+  if (faultLine) *faultLine = line;
+  if (fault.empty()) *this = parsed;
+  return fault;
 }
 
 FacialRegions::Weights FacialRegions::distances(const Eigen::Vector2d& point, const FaceSide& side) const {

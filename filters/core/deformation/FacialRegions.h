@@ -33,8 +33,10 @@ class FacialRegions {
     std::array<double, count> sides{};     ///< of each region: 1 upper, -1 lower, 0 both
   };
 
-  /// From the text of regions.json. @return nothing, or one sentence that says what is wrong
-  std::string parse(const std::string& json);
+  /// From the text of regions.json.
+  /// @param[out] faultLine the line of a fault in the JSON itself, 0 for none or any other
+  /// @return nothing, or one sentence that says what is wrong
+  std::string parse(const std::string& json, int* faultLine = nullptr);
 
   int version() const { return version_; }
   const std::string& name(int region) const { return names_[region - 1]; }

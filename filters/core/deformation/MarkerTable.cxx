@@ -29,7 +29,8 @@ struct Columns {
     region = columnNamed(header, "region");
     for (std::size_t i = 0; i < 6; ++i) positions[i] = columnNamed(header, positionNames[i]);
     const bool plane = marker >= 0 && positions[0] >= 0 && positions[1] >= 0 && positions[3] >= 0 && positions[4] >= 0;
-    if (!plane) return "the header must name marker, neutral_x, neutral_y, expression_x and expression_y";
+    if (!plane)
+      return "the header must name marker, neutral_x, neutral_y, expression_x and expression_y" + separatorHint(header);
     if ((positions[2] < 0) != (positions[5] < 0)) return "give both neutral_z and expression_z, or neither";
     return {};
   }

@@ -168,6 +168,8 @@ std::string unpackTable(const std::string& bytes, DeformationTable& table) {
     }
     result.maps[i].coefficients = QuadraticMap::identity() + shifted(local, -centres[i][0], -centres[i][1]);
   }
+  const std::string excess = result.describeExcess();
+  if (!excess.empty()) return excess + "; it is damaged";
   table = result;
   return {};
 }

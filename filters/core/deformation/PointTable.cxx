@@ -25,7 +25,7 @@ struct Columns {
     marker = columnNamed(header, "marker");
     region = columnNamed(header, "region");
     for (int i = 0; i < 3; ++i) axes[i] = columnNamed(header, axisNames[i]);
-    return marker < 0 || axes[0] < 0 || axes[1] < 0 ? noHeader : "";
+    return marker < 0 || axes[0] < 0 || axes[1] < 0 ? noHeader + separatorHint(header) : "";
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <vector>
 
@@ -15,6 +16,8 @@ namespace {
 
 using Cells = std::vector<std::string>;
 constexpr int coefficientCount = 12;
+constexpr const char* beyondLimit =
+    " is beyond -100 .. 100, which no face reaches; coefficients are in units of half the distance between the pupils";
 
 struct Columns {
   std::size_t count = 0;
@@ -26,7 +29,7 @@ struct Columns {
     count = header.size();
     region = columnNamed(header, "region");
     displacement = columnNamed(header, "displacement");
-    if (region < 0) return "the header must name the columns region, a1 .. a6 and b1 .. b6";
+    if (region < 0) return "the header must name the columns region, a1 .. a6 and b1 .. b6" + separatorHint(header);
     int found = 0;
     for (int i = 0; i < coefficientCount; ++i) {
       values[i] = columnNamed(header, coefficientName(i));
@@ -65,19 +68,22 @@ struct Rows {
   std::string addCoefficient(const Cells& cells, int region, int i) {
     const auto value = parseNumber(cells[columns.values[i]]);
     if (!value) return inQuotes(cells[columns.values[i]]) + " in column " + coefficientName(i) + " is no finite number";
+    if (std::abs(*value) > DeformationTable::largestCoefficient)
+      return inQuotes(cells[columns.values[i]]) + " in column " + coefficientName(i) + beyondLimit;
     table.maps[region].coefficients(i / 6, i % 6) = *value;
     if (!columns.hasDeviations) return {};
     const auto deviation = parseNumber(cells[columns.deviations[i]]);
-    if (!deviation || *deviation < 0.0)
+    if (!deviation || *deviation < 0.0 || *deviation > DeformationTable::largestCoefficient)
       return inQuotes(cells[columns.deviations[i]]) + " in column " + coefficientName(i) +
-             "_sd is no deviation; give a number from 0";
+             "_sd is no deviation; give a number from 0 to 100";
     table.deviations->at(region)(i / 6, i % 6) = *deviation;
     return {};
   }
 
   std::string addDisplacement(const std::string& cell) {
     const auto value = parseNumber(cell);
-    if (!value || *value < 0.0) return inQuotes(cell) + " is no displacement; give pupil units from 0";
+    if (!value || *value < 0.0 || *value > DeformationTable::largestCoefficient)
+      return inQuotes(cell) + " is no displacement; give pupil units from 0 to 100";
     table.largestDisplacement = std::max(table.largestDisplacement, *value);
     return {};
   }

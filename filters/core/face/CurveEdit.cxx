@@ -11,6 +11,7 @@ namespace mien {
 namespace {
 
 constexpr double midlineTolerance = 1e-9;  // radians
+constexpr double degree = M_PI / 180.0;
 
 /// 1 at 0, 0 from 1 on, smooth.
 double fallOff(double t) {
@@ -91,6 +92,25 @@ std::string apply(const CurveEdit& edit, FaceCurves& face) {
 
 }  // namespace
 
+CurveEdit CurveEdit::ofPoint(int curve, int point, int pointsPerCurve) {
+  CurveEdit edit;
+  edit.curve = curve;
+  edit.v = 2.0 * M_PI * point / pointsPerCurve;
+  return edit;
+}
+
+double CurveEdit::vDegrees() const {
+  return v / degree;
+}
+
+double CurveEdit::widthDegrees() const {
+  return width / degree;
+}
+
+void CurveEdit::setWidthDegrees(double degrees) {
+  width = degrees * degree;
+}
+
 bool CurveEdit::operator==(const CurveEdit& other) const {
   return std::tie(curve, v, width, spread, mirrored) ==
              std::tie(other.curve, other.v, other.width, other.spread, other.mirrored) &&
@@ -105,7 +125,7 @@ std::string describeFault(const CurveEdit& edit, int pointsPerCurve) {
     return "a point moves by at most " + numberText(CurveEdit::largestMove) + " mm along each axis";
   const double narrowest = 4.0 * M_PI / pointsPerCurve;
   if (!(edit.width >= narrowest - 1e-9 && edit.width <= M_PI + 1e-9))
-    return "width " + numberText(edit.width * 180.0 / M_PI) + " is outside " + numberText(narrowest * 180.0 / M_PI) +
+    return "width " + numberText(edit.widthDegrees()) + " is outside " + numberText(narrowest / degree) +
            " .. 180 degrees (two points of the curve .. half of it)";
   if (edit.spread < 0 || edit.spread > CurveEdit::largestSpread)
     return "spread " + std::to_string(edit.spread) + " is outside 0 .. " + std::to_string(CurveEdit::largestSpread) +

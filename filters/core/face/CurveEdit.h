@@ -23,6 +23,13 @@ struct CurveEdit {
   int spread = 1;                                  ///< neighbouring curves that follow on either side, 0 .. 28
   bool mirrored = false;  ///< whether the other side moves as the mirror image; the point itself still rises by `move`
 
+  /// An edit of sample `point` of curves of K samples, which does not move it yet.
+  static CurveEdit ofPoint(int curve, int point, int pointsPerCurve);
+
+  double vDegrees() const;
+  double widthDegrees() const;
+  void setWidthDegrees(double degrees);
+
   bool operator==(const CurveEdit& other) const;
   bool operator!=(const CurveEdit& other) const { return !(*this == other); }
 };

@@ -24,6 +24,14 @@ std::vector<std::string> splitAtCommas(const std::string& line) {
   }
 }
 
+std::string separatorHint(const std::vector<std::string>& header) {
+  if (header.size() != 1) return {};
+  const bool semicolons = header[0].find(';') != std::string::npos, tabs = header[0].find('\t') != std::string::npos;
+  if (!semicolons && !tabs) return {};
+  return std::string("; its cells are separated by ") + (semicolons ? "semicolons" : "tabs") +
+         ": export it with commas between cells and points in numbers";
+}
+
 int columnNamed(const std::vector<std::string>& header, const std::string& name) {
   const auto found = std::find(header.begin(), header.end(), name);
   return found == header.end() ? -1 : static_cast<int>(found - header.begin());

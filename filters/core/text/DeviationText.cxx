@@ -49,7 +49,10 @@ std::string rangeText(double value, double deviation, const std::string& sign) {
 std::string fixedText(double value) {
   const double size = std::abs(value);
   if (size < std::pow(10.0, -mostDecimals)) return withDecimals(0.0, usualDecimals);
-  return withDecimals(value, std::max(usualDecimals, decimalsOf(size, 2)));
+  std::string text = withDecimals(value, std::max(usualDecimals, decimalsOf(size, 2)));
+  // A number that was printed with three decimals stays as it was printed.
+  while (text.back() == '0' && text.size() - text.find('.') > usualDecimals + 1) text.pop_back();
+  return text;
 }
 
 }  // namespace mien

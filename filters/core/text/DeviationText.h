@@ -14,7 +14,8 @@ std::string conciseText(double value, double deviation);
 /// "0.123" and "0.004" joined by the sign: "0.123+-0.004".
 std::string rangeText(double value, double deviation, const std::string& sign);
 
-/// A number without a deviation: three decimals, more where it would have fewer than two significant digits.
+/// A number without a deviation: three decimals, more where it would have fewer than two significant digits and they
+/// are not 0.
 std::string fixedText(double value);
 
 }  // namespace mien
