@@ -134,7 +134,7 @@ class VectorReport {
                   {"view", options_.drawing.view()},
                   {"sampling", figure_->sampling().text()},
                   {"scale_mm_motion_per_mm_arrow", figure_->scale()},
-                  {"range_mm", {figure_->rangeBegin(), figure_->rangeEnd()}},
+                  {"range_mm", figure_->lacksTowards() ? json() : json{figure_->rangeBegin(), figure_->rangeEnd()}},
                   {"reference_arrow_mm", figure_->reference()}};
     if (!drawing_.picture.region.isWhole()) about["region"] = drawing_.picture.region.name;
     for (size_t i = 0; i < moments_.size(); ++i) about["fields"].push_back(summary(i));
@@ -156,6 +156,7 @@ class VectorReport {
 
   /// The largest vector may be hidden, or not be sampled.
   std::string colorText() const {
+    if (figure_->lacksTowards()) return "no motion towards the viewer, all arrows have one colour";
     double largest = 0.0;
     for (size_t i = 0; i < moments_.size(); ++i)
       for (const int row : chosen_[i]) largest = std::max(largest, moments_[i].field.vectors.row(row).norm());
