@@ -13,7 +13,7 @@ namespace {
 
 constexpr double border = FigureWords::border;
 constexpr double leastPanel = 38.0;     // mm
-constexpr double leastAsked = 12.0;     // mm, of panels whose number in a row is asked for
+constexpr double leastAsked = 20.0;     // mm, of panels whose number in a row is asked for
 constexpr double columnGap = 3.0;       // mm
 constexpr double rowGap = 3.0;          // mm
 constexpr double wordsGap = 2.0;        // mm, above caption and note

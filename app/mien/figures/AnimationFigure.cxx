@@ -35,11 +35,12 @@ PlatePanel vectorRow(FigureContext& context, const std::vector<FaceState>& state
   for (FaceState state : states) {
     state.rows = 56;
     state.columns = 40;
-    fields.push_back({context.motion(state, FaceMotion::neutralOf(state)), ""});
+    fields.push_back(
+        {context.motion(state, FaceMotion::neutralOf(state)), context.isNarrow() ? frameHeading(state) : ""});
   }
   MotionVectorOptions options = context.vectorOptions();
   options.width = context.innerWidth();
-  options.columns = static_cast<int>(states.size());
+  options.columns = context.isNarrow() ? 3 : static_cast<int>(states.size());  // arrows must be seen
   options.labelled = false;
   return motionPanel("Motion against the neutral face, 56 x 40 points", fields, options);
 }

@@ -58,7 +58,7 @@ QPointF pointOf(const Eigen::Vector2d& point) {
 PlaneDrawing poseDrawing(const Pose& pose, const Eigen::Vector2d& origin, const QString& right, const QString& left) {
   PlaneDrawing drawing;
   addFaceBehind(drawing, pose.lines);
-  const QRectF box = drawing.bounds();
+  const QRectF box = drawing.bounds().united(QRectF(pointOf(origin), QSizeF(1e-3, 1e-3)));
   const PlaneStroke axis = {QColor("#222222"), 0.4};
   drawing.lines.push_back(
       {segment(QPointF(box.left(), origin.y()), QPointF(box.right(), origin.y())), axis, false, true});
