@@ -22,6 +22,7 @@
 
 #include "FaceLayout.h"
 #include "FaceModel.h"
+#include "FramedButton.h"
 #include "PipelineErrors.h"
 
 namespace mien {
@@ -141,23 +142,16 @@ void CurvePanel::describeMove() {
 }
 
 void CurvePanel::describeButtons() {
-  const auto describe = [](QToolButton* button, const QString& name, const QString& text, const QString& tip) {
-    button->setObjectName(name);
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setProperty("framed", true);
-    button->setFocusPolicy(Qt::TabFocus);
-  };
-  describe(apply_, "curveApply", tr("Move"), tr("Moves the point; what would make curves cross is refused"));
-  describe(drag_, "curveDrag", tr("Edit in the view"),
-           tr("Points of the curves are dragged with the mouse in the view Curves, in its plane, with this width, "
-              "spread and mirror; Escape cancels a drag"));
+  makeFramed(apply_, "curveApply", tr("Move"), tr("Moves the point; what would make curves cross is refused"));
+  makeFramed(drag_, "curveDrag", tr("Edit in the view"),
+             tr("Points of the curves are dragged with the mouse in the view Curves, in its plane, with this width, "
+                "spread and mirror; Escape cancels a drag"));
   drag_->setCheckable(true);
-  describe(undo_, "curveUndo", tr("Undo"), tr("Takes the last move back"));
-  describe(remove_, "curveRemove", tr("Remove"), tr("Takes the chosen move out of the list"));
-  describe(clear_, "curveClear", tr("Remove all"), tr("The curves as they were read"));
-  describe(save_, "curveSave", tr("Save curves..."),
-           tr("Writes the neutral curves with these moves as .vtp, which --face takes"));
+  makeFramed(undo_, "curveUndo", tr("Undo"), tr("Takes the last move back"));
+  makeFramed(remove_, "curveRemove", tr("Remove"), tr("Takes the chosen move out of the list"));
+  makeFramed(clear_, "curveClear", tr("Remove all"), tr("The curves as they were read"));
+  makeFramed(save_, "curveSave", tr("Save curves..."),
+             tr("Writes the neutral curves with these moves as .vtp, which --face takes"));
   edits_->setObjectName("curveEdits");
   edits_->setToolTip(tr("The moves, made one after the other"));
 }

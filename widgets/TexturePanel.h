@@ -33,7 +33,6 @@ class TexturePanel : public QWidget {
  private:
   QWidget* controls();
   QWidget* statusRow();
-  void describeButton(QToolButton* button, const QString& name, const QString& text, const QString& tip);
   void describeButtons();
   void describeChoices();
   void describeViews();

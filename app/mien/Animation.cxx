@@ -9,6 +9,7 @@
 #include "DataFile.h"
 #include "FAPSequence.h"
 #include "Failure.h"
+#include "FrameName.h"
 #include "Interruption.h"
 #include "OutputFile.h"
 #include "ProgressLine.h"

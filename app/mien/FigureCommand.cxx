@@ -43,9 +43,7 @@ FigureSettings settingsOf(const Options& options) {
   settings.theme = *FigureTheme::find(options.figure.theme());
   settings.labelled = !options.noLabels;
   settings.textures = options.textures;
-  if (!options.frames.empty())
-    for (const std::string& frame : splitText(options.frames, ','))
-      settings.frames.push_back(parseNumber("--frames", frame));
+  settings.frames = options.frames;
   return settings;
 }
 
@@ -160,7 +158,9 @@ void addFigureCommand(CLI::App& program) {
   command->add_option("--format", options->format, "Of --all: svg, pdf or png")->capture_default_str();
   options->figure.addTo(*command, "Figure");
   command->add_flag("--no-labels", options->noLabels, "No (a), (b) .. before panels")->group("Figure");
-  command->add_option("--frames", options->frames, "Frame numbers of figures of an animation, such as 100,120,125")
+  command
+      ->add_option("--frames", options->frames,
+                   "Frame numbers of figures of an animation, such as 100,120,125 or 100:104")
       ->group("Figure");
   command
       ->add_option("--texture", options->textures,

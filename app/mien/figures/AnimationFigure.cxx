@@ -1,6 +1,8 @@
 #include "CatalogueFigures.h"
+#include "CsvText.h"
 #include "CurveDrawing.h"
 #include "FaceMotion.h"
+#include "FaceNote.h"
 #include "FigureContext.h"
 #include "FrameChoice.h"
 #include "MotionPanel.h"
@@ -59,6 +61,13 @@ PlatePanel texturedRow(FigureContext& context, const std::vector<FaceState>& sta
   return panelRow(heading, panels, context.innerWidth());
 }
 
+/// The face, the file and its frames.
+std::string noteOf(const std::vector<FaceState>& states) {
+  std::string frames;
+  for (const FaceState& state : states) frames += (frames.empty() ? "frames " : ", ") + shortestText(state.frame);
+  return faceNote(states.front(), {states.front().surface.scheme}, true, frames);
+}
+
 }  // namespace
 
 FigureDrawing drawAnimation(FigureContext& context) {
@@ -68,6 +77,7 @@ FigureDrawing drawAnimation(FigureContext& context) {
   plate.panels = {curveRow(context, states), vectorRow(context, states)};
   const size_t textures = std::max<size_t>(context.settings().textures.size(), 1);
   for (size_t i = 0; i < textures; ++i) plate.panels.push_back(texturedRow(context, states, i, "Textured", false));
+  plate.note = noteOf(states);
   return context.drawn(plate);
 }
 
@@ -76,6 +86,7 @@ FigureDrawing drawTexturedAnimation(FigureContext& context) {
   Plate plate;
   plate.columns = 1;
   plate.panels = {texturedRow(context, states, 0, "", true)};
+  plate.note = noteOf(states);
   return context.drawn(plate);
 }
 

@@ -38,9 +38,11 @@ FacePipeline& FigureContext::pipeline(const FaceState& state) {
 
 FaceCurves FigureContext::curves(const FaceState& state) {
   FaceCurves face;
-  vtkAlgorithm* const curves = pipeline(state).curves();
-  curves->Update();
-  const std::string fault = readFaceCurves(vtkPolyData::SafeDownCast(curves->GetOutputDataObject(0)), face);
+  pipeline_.setState(state);
+  checkOrThrow(pipeline_);
+  std::string fault = pipeline_.updateCurves();  // no surface is needed
+  auto* const curves = vtkPolyData::SafeDownCast(pipeline_.shownCurves()->GetOutputDataObject(0));
+  if (fault.empty()) fault = readFaceCurves(curves, face);
   if (!fault.empty()) throw FileFailure(fault);
   return face;
 }

@@ -8,6 +8,7 @@
 #include "FAPSequence.h"
 #include "Failure.h"
 #include "FigureContext.h"
+#include "FrameOptions.h"
 #include "vtkFAPReader.h"
 
 namespace mien {
@@ -40,12 +41,13 @@ std::vector<double> strongestNumbers(const FAPSequence& sequence, int count, dou
   return numbers;
 }
 
-void requireNumber(const FAPSequence& sequence, double number, const std::string& file) {
-  const auto& frames = sequence.frames;
-  const bool known = std::any_of(frames.begin(), frames.end(), [&](const auto& f) { return f.number == number; });
-  if (!known)
-    throw ValueFailure("--frames " + shortestText(number) + ": " + file + " has frames " +
-                       shortestText(frames.front().number) + " .. " + shortestText(frames.back().number));
+std::vector<double> numbersOf(const std::string& text, const FAPSequence& sequence) {
+  std::vector<double> numbers;
+  for (const size_t index : frameIndices("--frames", text, sequence)) numbers.push_back(sequence.frames[index].number);
+  if (numbers.size() > mostFrames)
+    throw ValueFailure("--frames has " + std::to_string(numbers.size()) + " frames; at most " +
+                       std::to_string(mostFrames) + " are drawn side by side");
+  return numbers;
 }
 
 }  // namespace
@@ -55,14 +57,10 @@ std::vector<FaceState> animationStates(FigureContext& context, int count, double
   if (state.fapFile.empty()) state.fapFile = findDataFile("animation/demo.fap");
   const FAPSequence& sequence = context.pipeline(state).frames()->GetSequence();
   if (sequence.frames.empty()) throw FileFailure(state.fapFile + ": there are no frames to draw");
-  std::vector<double> numbers = context.settings().frames;
-  if (numbers.empty()) numbers = strongestNumbers(sequence, count, begin, end);
-  if (numbers.size() > mostFrames)
-    throw ValueFailure("--frames has " + std::to_string(numbers.size()) + " numbers; at most " +
-                       std::to_string(mostFrames) + " are drawn side by side");
+  std::vector<double> numbers = strongestNumbers(sequence, count, begin, end);
+  if (!context.settings().frames.empty()) numbers = numbersOf(context.settings().frames, sequence);
   std::vector<FaceState> states;
   for (const double number : numbers) {
-    requireNumber(sequence, number, state.fapFile);
     states.push_back(state);
     states.back().frameChoice = FaceState::FrameChoice::Number;
     states.back().frame = number;

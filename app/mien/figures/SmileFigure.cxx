@@ -19,7 +19,7 @@ FigureDrawing drawSmile(FigureContext& context) {
   smile.deformation = context.state().deformation;
   if (smile.deformation.table.empty()) smile.deformation.table = "smile";
   Plate plate;
-  plate.columns = context.settings().width < 120.0 ? 2 : 4;
+  plate.columns = context.isNarrow() ? 2 : 4;
   const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
   for (const char* const view : {"front", "45"})
     for (const FaceState& state : {neutral, smile}) {

@@ -142,7 +142,7 @@ FigureDrawing drawTextureWarp(FigureContext& context) {
   const QImage photograph = FigureContext::imageOf(warp.photograph), texture = warped(warp, warp.target);
   const QImage rows = warped(warp, between);
   Plate plate;
-  plate.columns = context.settings().width < 120.0 ? 2 : 3;
+  plate.columns = context.isNarrow() ? 2 : 3;
   const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
   plate.panels = {picturePanel("Photograph", photograph),
                   overlaidPanel("Source mesh", photograph, meshDrawing(warp.source)),
