@@ -7,7 +7,6 @@
 #include <vtkFDTReader.h>
 #include <vtkFacialRegionFilter.h>
 #include <vtkGeometryFilter.h>
-#include <vtkMath.h>
 #include <vtkPDEFaceFilter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -17,10 +16,9 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <QEvent>
+#include <algorithm>
 #include <cmath>
 
-#include "DefaultRegions.h"
-#include "FaceFrame.h"
 #include "FaceModel.h"
 #include "FaceOverlay.h"
 #include "FaceView.h"
@@ -33,10 +31,13 @@ namespace {
 
 constexpr int fineRows = 218, fineColumns = 160;  // borders of regions are then finer than a number's line
 constexpr const char* colorArray = "RegionColor";
-constexpr double lift = 8.0;  // mm by which a number stands before the skin, or its corners would sink into a cheek
-constexpr double leastForwards = 0.3;  // z of the unit normal
-constexpr double leastTowards = 0.3;   // cosine between a number's skin and the camera
-constexpr double paleness = 0.75;      // of regions that do not stand out
+constexpr double lift = 8.0;  // mm from the skin to the camera, or a number's corners would sink into a cheek
+constexpr double sizeShare = 1.0 / 32.0;  // of the view's height
+constexpr int leastSize = 14;             // pt
+constexpr double emphasis = 1.4;          // of the number of the region that stands out
+constexpr double leastForwards = 0.3;     // z of the unit normal
+constexpr double leastTowards = 0.4;      // cosine between a number's skin and the camera
+constexpr double paleness = 0.75;         // of regions that do not stand out
 
 // Of region 1 .. 16; neighbours differ, mirrored regions are alike where they do not touch. After Okabe and Ito,
 // lighter.
@@ -72,29 +73,34 @@ struct RegionPoints {
   /// Whether there is a place for its number: on the face and seen from the front.
   bool bearsNumber(vtkIdType point) const { return weight(point) > 0.25; }
 
-  /// For each region the point nearest to its centre as the region map has it; -1 where it has none.
+  /// For each region the point nearest to the middle of what is seen of it; -1 where nothing is.
   std::array<vtkIdType, 16> middles() const {
-    std::array<double, 16> least;
+    std::array<Eigen::Vector3d, 16> middle;
+    std::array<double, 16> weights{}, least;
     std::array<vtkIdType, 16> nearest;
+    middle.fill(Eigen::Vector3d::Zero());
     least.fill(1e300);
     nearest.fill(-1);
-    FaceFrame frame;
-    if (!readPupils(skin, {}, frame).empty()) return nearest;
-    Eigen::Vector3d place;
     for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
-      if (!bearsNumber(i)) continue;
-      skin->GetPoint(i, place.data());
+      middle[region(i) - 1] += weight(i) * place(i);
+      weights[region(i) - 1] += weight(i);
+    }
+    for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
       const int index = region(i) - 1;
-      const double distance =
-          (frame.pupils.apply(frame.turned.rotation.transpose() * (place - frame.turned.centre) + frame.turned.centre)
-               .head<2>() -
-           defaultRegions().centre(index + 1))
-              .norm();
+      if (!bearsNumber(i)) continue;
+      // As seen from the front: the middle of a nose's points lies within the nose.
+      const double distance = (place(i) - middle[index] / weights[index]).head<2>().norm();
       if (distance >= least[index]) continue;
       least[index] = distance;
       nearest[index] = i;
     }
     return nearest;
+  }
+
+  Eigen::Vector3d place(vtkIdType point) const { return Eigen::Vector3d(skin->GetPoint(point)); }
+
+  Eigen::Vector3d outwards(vtkIdType point) const {
+    return normals ? Eigen::Vector3d(normals->GetTuple3(point)) : Eigen::Vector3d::UnitZ();
   }
 };
 
@@ -110,6 +116,8 @@ RegionOverlay::RegionOverlay(FaceModel* model, FaceView* view, QObject* parent)
   for (vtkAlgorithm* algorithm :
        std::initializer_list<vtkAlgorithm*>{fine_, regions_, table_, deformation_, geometry_, outwards_})
     errors_.observe(algorithm);
+  places_.fill(Eigen::Vector3d::Zero());
+  outward_.fill(Eigen::Vector3d::UnitZ());
   for (size_t i = 0; i < numbers_.size(); ++i) {
     numbers_[i]->SetInput(std::to_string(i + 1).c_str());
     vtkTextProperty* text = numbers_[i]->GetTextProperty();
@@ -118,7 +126,7 @@ RegionOverlay::RegionOverlay(FaceModel* model, FaceView* view, QObject* parent)
     text->SetColor(0.06, 0.08, 0.1);
     text->SetBold(true);
   }
-  started_ = view_->renderer()->AddObserver(vtkCommand::StartEvent, this, &RegionOverlay::hideTurned);
+  started_ = view_->renderer()->AddObserver(vtkCommand::StartEvent, this, &RegionOverlay::turnNumbers);
   view_->installEventFilter(this);
   connect(overlay_, &FaceOverlay::shownChanged, this, [this](bool shown) {
     if (!shown) removeNumbers();
@@ -196,29 +204,30 @@ void RegionOverlay::color(vtkPolyData* skin) const {
 }
 
 void RegionOverlay::placeNumbers(vtkPolyData* skin) {
-  vtkDataArray* normals = skin->GetPointData()->GetArray("Normals");
-  const std::array<vtkIdType, 16> middles = RegionPoints(skin).middles();
+  const RegionPoints points(skin);
+  const std::array<vtkIdType, 16> middles = points.middles();
   removeNumbers();
   for (int i = 0; i < 16; ++i) {
-    const vtkIdType point = middles[i];
-    if (point < 0) continue;
-    double place[3];
-    skin->GetPoint(point, place);
-    for (int axis = 0; axis < 3; ++axis)
-      place[axis] += lift * (normals ? normals->GetComponent(point, axis) : axis == 2);
-    numbers_[i]->SetPosition(place);
-    for (int axis = 0; axis < 3; ++axis) outward_[i][axis] = normals ? normals->GetComponent(point, axis) : axis == 2;
-    numbers_[i]->GetTextProperty()->SetFontSize(region_ == i + 1 ? 20 : 14);
+    if (middles[i] < 0) continue;
+    places_[i] = points.place(middles[i]);
+    outward_[i] = points.outwards(middles[i]);
     view_->renderer()->AddActor(numbers_[i]);
   }
   view_->redraw();
 }
 
-/// A number is read while its skin is turned to the camera; at the face's silhouette it would stand beside it.
-void RegionOverlay::hideTurned() {
-  double forwards[3];
-  view_->renderer()->GetActiveCamera()->GetDirectionOfProjection(forwards);
-  for (int i = 0; i < 16; ++i) numbers_[i]->SetVisibility(-vtkMath::Dot(forwards, outward_[i].data()) > leastTowards);
+/// Every number stands between its skin and the camera, so that it is seen where its region is. It is read while that
+/// skin is turned to the camera; at the face's silhouette it would stand beside it.
+void RegionOverlay::turnNumbers() {
+  vtkCamera* camera = renderer_->GetActiveCamera();
+  const double size = std::max<double>(leastSize, sizeShare * renderer_->GetSize()[1]);
+  for (int i = 0; i < 16; ++i) {
+    const Eigen::Vector3d towards = (Eigen::Vector3d(camera->GetPosition()) - places_[i]).normalized();
+    const Eigen::Vector3d place = places_[i] + lift * towards;
+    numbers_[i]->SetPosition(place.x(), place.y(), place.z());
+    numbers_[i]->SetVisibility(towards.dot(outward_[i]) > leastTowards);
+    numbers_[i]->GetTextProperty()->SetFontSize(std::lround(region_ == i + 1 ? emphasis * size : size));
+  }
 }
 
 void RegionOverlay::removeNumbers() {

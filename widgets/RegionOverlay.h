@@ -3,6 +3,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <Eigen/Core>
 #include <QObject>
 #include <array>
 
@@ -47,7 +48,7 @@ class RegionOverlay : public QObject {
   void paint();
   void color(vtkPolyData* skin) const;
   void placeNumbers(vtkPolyData* skin);
-  void hideTurned();
+  void turnNumbers();
   void removeNumbers();
 
   FaceModel* model_;
@@ -62,7 +63,7 @@ class RegionOverlay : public QObject {
   vtkNew<vtkReverseSense> outwards_;
   PipelineErrors errors_;
   std::array<vtkNew<vtkBillboardTextActor3D>, 16> numbers_;
-  std::array<std::array<double, 3>, 16> outward_{};  ///< where the skin below each number looks
+  std::array<Eigen::Vector3d, 16> places_, outward_;  ///< of the skin below each number: where it is, and looks
   unsigned long started_ = 0;
   int region_ = 0;
 };
