@@ -35,8 +35,7 @@ constexpr double lift = 8.0;  // mm from the skin to the camera, or a number's c
 constexpr double sizeShare = 1.0 / 32.0;  // of the view's height
 constexpr int leastSize = 14;             // pt
 constexpr double emphasis = 1.4;          // of the number of the region that stands out
-constexpr double leastForwards = 0.3;     // z of the unit normal
-constexpr double leastTowards = 0.4;      // cosine between a number's skin and the camera
+constexpr double leastTowards = 0.3;      // cosine between skin and the way to the camera, for a number's place
 constexpr double paleness = 0.75;         // of regions that do not stand out
 
 // Of region 1 .. 16; neighbours differ, mirrored regions are alike where they do not touch. After Okabe and Ito,
@@ -49,13 +48,15 @@ QColor mixed(const QColor& a, const QColor& b, double share) {
                           a.blueF() + share * (b.blueF() - a.blueF()));
 }
 
-/// The points of a skin that has been through vtkFacialRegionFilter.
+/// The points of a skin that has been through vtkFacialRegionFilter, as they are seen from somewhere.
 struct RegionPoints {
   vtkPolyData* skin;
+  Eigen::Vector3d towards;  ///< from the skin to the camera
   vtkDataArray *regions, *coverage, *normals;
 
-  explicit RegionPoints(vtkPolyData* data)
+  explicit RegionPoints(vtkPolyData* data, const Eigen::Vector3d& eye = Eigen::Vector3d::UnitZ())
       : skin(data),
+        towards((eye - Eigen::Vector3d(data->GetCenter())).normalized()),
         regions(data->GetPointData()->GetArray("Region")),
         coverage(data->GetPointData()->GetArray("RegionCoverage")),
         normals(data->GetPointData()->GetArray("Normals")) {}
@@ -63,14 +64,14 @@ struct RegionPoints {
   int region(vtkIdType point) const { return static_cast<int>(regions->GetComponent(point, 0)); }
   double share(vtkIdType point) const { return coverage->GetComponent(point, 0); }
 
-  /// How much a point looks forwards: cheeks have most of their points at the side of the head, where no number is
-  /// read.
+  /// How much a point looks at the camera: most points of a cheek are at the side of the head, where no number is read
+  /// from the front.
   double weight(vtkIdType point) const {
-    const double forwards = normals ? normals->GetComponent(point, 2) : 1.0;
-    return forwards < leastForwards ? 0.0 : share(point) * forwards * forwards * forwards;
+    const double seen = normals ? towards.dot(Eigen::Vector3d(normals->GetTuple3(point))) : 1.0;
+    return seen < leastTowards ? 0.0 : share(point) * seen * seen * seen;
   }
 
-  /// Whether there is a place for its number: on the face and seen from the front.
+  /// Whether there is a place for its number: on the face and turned to the camera.
   bool bearsNumber(vtkIdType point) const { return weight(point) > 0.25; }
 
   /// For each region the point nearest to the middle of what is seen of it; -1 where nothing is.
@@ -88,8 +89,8 @@ struct RegionPoints {
     for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
       const int index = region(i) - 1;
       if (!bearsNumber(i)) continue;
-      // As seen from the front: the middle of a nose's points lies within the nose.
-      const double distance = (place(i) - middle[index] / weights[index]).head<2>().norm();
+      // As it is seen: the middle of a nose's points lies within the nose.
+      const double distance = (place(i) - middle[index] / weights[index]).cross(towards).norm();
       if (distance >= least[index]) continue;
       least[index] = distance;
       nearest[index] = i;
@@ -98,10 +99,6 @@ struct RegionPoints {
   }
 
   Eigen::Vector3d place(vtkIdType point) const { return Eigen::Vector3d(skin->GetPoint(point)); }
-
-  Eigen::Vector3d outwards(vtkIdType point) const {
-    return normals ? Eigen::Vector3d(normals->GetTuple3(point)) : Eigen::Vector3d::UnitZ();
-  }
 };
 
 }  // namespace
@@ -116,8 +113,6 @@ RegionOverlay::RegionOverlay(FaceModel* model, FaceView* view, QObject* parent)
   for (vtkAlgorithm* algorithm :
        std::initializer_list<vtkAlgorithm*>{fine_, regions_, table_, deformation_, geometry_, outwards_})
     errors_.observe(algorithm);
-  places_.fill(Eigen::Vector3d::Zero());
-  outward_.fill(Eigen::Vector3d::UnitZ());
   for (size_t i = 0; i < numbers_.size(); ++i) {
     numbers_[i]->SetInput(std::to_string(i + 1).c_str());
     vtkTextProperty* text = numbers_[i]->GetTextProperty();
@@ -182,7 +177,10 @@ void RegionOverlay::paint() {
   skin->ShallowCopy(outwards_->GetOutput());
   color(skin);
   overlay_->showColors(skin, colorArray);
-  placeNumbers(skin);
+  skin_ = skin;
+  eye_.reset();
+  for (const auto& number : numbers_) view_->renderer()->AddActor(number);
+  view_->redraw();
 }
 
 void RegionOverlay::color(vtkPolyData* skin) const {
@@ -203,34 +201,31 @@ void RegionOverlay::color(vtkPolyData* skin) const {
   skin->GetPointData()->AddArray(colors);
 }
 
-void RegionOverlay::placeNumbers(vtkPolyData* skin) {
-  const RegionPoints points(skin);
+/// Every number stands between its skin and the camera, so that it is seen where its region is, from any side.
+void RegionOverlay::placeNumbers(const Eigen::Vector3d& eye) {
+  const RegionPoints points(skin_, eye);
   const std::array<vtkIdType, 16> middles = points.middles();
-  removeNumbers();
   for (int i = 0; i < 16; ++i) {
+    numbers_[i]->SetVisibility(middles[i] >= 0);
     if (middles[i] < 0) continue;
-    places_[i] = points.place(middles[i]);
-    outward_[i] = points.outwards(middles[i]);
-    view_->renderer()->AddActor(numbers_[i]);
+    const Eigen::Vector3d place = points.place(middles[i]), before = place + lift * (eye - place).normalized();
+    numbers_[i]->SetPosition(before.x(), before.y(), before.z());
   }
-  view_->redraw();
+  eye_ = eye;
 }
 
-/// Every number stands between its skin and the camera, so that it is seen where its region is. It is read while that
-/// skin is turned to the camera; at the face's silhouette it would stand beside it.
+/// Before each picture.
 void RegionOverlay::turnNumbers() {
-  vtkCamera* camera = renderer_->GetActiveCamera();
+  if (!isShown()) return;
+  const Eigen::Vector3d eye(renderer_->GetActiveCamera()->GetPosition());
+  if (eye_ != eye) placeNumbers(eye);
   const double size = std::max<double>(leastSize, sizeShare * renderer_->GetSize()[1]);
-  for (int i = 0; i < 16; ++i) {
-    const Eigen::Vector3d towards = (Eigen::Vector3d(camera->GetPosition()) - places_[i]).normalized();
-    const Eigen::Vector3d place = places_[i] + lift * towards;
-    numbers_[i]->SetPosition(place.x(), place.y(), place.z());
-    numbers_[i]->SetVisibility(towards.dot(outward_[i]) > leastTowards);
+  for (int i = 0; i < 16; ++i)
     numbers_[i]->GetTextProperty()->SetFontSize(std::lround(region_ == i + 1 ? emphasis * size : size));
-  }
 }
 
 void RegionOverlay::removeNumbers() {
+  skin_ = nullptr;
   for (const auto& number : numbers_) view_->renderer()->RemoveActor(number);
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <QObject>
 #include <array>
+#include <optional>
 
 #include "PipelineErrors.h"
 
@@ -47,7 +48,7 @@ class RegionOverlay : public QObject {
   std::string build();
   void paint();
   void color(vtkPolyData* skin) const;
-  void placeNumbers(vtkPolyData* skin);
+  void placeNumbers(const Eigen::Vector3d& eye);
   void turnNumbers();
   void removeNumbers();
 
@@ -63,7 +64,8 @@ class RegionOverlay : public QObject {
   vtkNew<vtkReverseSense> outwards_;
   PipelineErrors errors_;
   std::array<vtkNew<vtkBillboardTextActor3D>, 16> numbers_;
-  std::array<Eigen::Vector3d, 16> places_, outward_;  ///< of the skin below each number: where it is, and looks
+  vtkSmartPointer<vtkPolyData> skin_;   ///< that the numbers stand on
+  std::optional<Eigen::Vector3d> eye_;  ///< where the numbers were placed for
   unsigned long started_ = 0;
   int region_ = 0;
 };
