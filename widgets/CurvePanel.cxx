@@ -2,12 +2,11 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFile>
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -17,12 +16,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 
+#include "CurveFile.h"
 #include "FaceLayout.h"
 #include "FaceModel.h"
-#include "PipelineErrors.h"
+#include "ScanPanel.h"
 
 namespace mien {
 
@@ -51,27 +49,16 @@ std::string writeCurves(const FaceState& state, const std::string& file) {
   pipeline.setState(neutral);
   const std::string fault = pipeline.updateCurves();
   if (!fault.empty()) return fault;
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  PipelineErrors errors;
-  errors.observe(writer);
-  const std::string part = file + ".part";
-  writer->SetFileName(part.c_str());
-  writer->SetInputData(vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0)));
-  writer->SetDataModeToBinary();
-  writer->SetCompressorTypeToNone();
-  std::error_code failure;
-  if (writer->Write() == 1 && errors.first().empty()) std::filesystem::rename(part, file, failure);
-  if (errors.first().empty() && !failure) return {};
-  std::filesystem::remove(part, failure);
-  return file + ": it cannot be written; give a file in a folder that exists and may be written to";
+  return writeCurveFile(vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0)), file);
 }
 
 }  // namespace
 
-CurvePanel::CurvePanel(FaceModel* model, CurveView* view, QWidget* parent)
+CurvePanel::CurvePanel(FaceModel* model, FaceView* face, CurveView* view, QWidget* parent)
     : QWidget(parent),
       model_(model),
       handle_(new CurveHandle(view, model, this)),
+      scan_(new ScanPanel(model, face, this)),
       curve_(new QComboBox(this)),
       point_(new QSpinBox(this)),
       spread_(new QSpinBox(this)),
@@ -91,12 +78,18 @@ CurvePanel::CurvePanel(FaceModel* model, CurveView* view, QWidget* parent)
   describePlace();
   describeMove();
   describeButtons();
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 4, 8, 6);
+  setAcceptDrops(true);
+  auto* moves = new QWidget(this);
+  auto* column = new QVBoxLayout(moves);
+  column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
   column->addWidget(placeRow());
   column->addWidget(moveRow());
   column->addWidget(listColumn(), 1);
+  auto* both = new QHBoxLayout(this);
+  both->setContentsMargins(8, 4, 8, 6);
+  both->addWidget(moves, 1);
+  both->addWidget(scan_, 1);
   connectControls();
   connectHandle();
   showEdits();
@@ -262,6 +255,14 @@ void CurvePanel::drag(const CurveHandle::Vector& move) {
   if (show(edits) || model_->state().edits == beforeDrag_) return;
   show(beforeDrag_);
   show(edits);
+}
+
+void CurvePanel::dragEnterEvent(QDragEnterEvent* event) {
+  if (!ScanPanel::droppedFile(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void CurvePanel::dropEvent(QDropEvent* event) {
+  scan_->openDropped(ScanPanel::droppedFile(event->mimeData()));
 }
 
 /// Who does not see the numbers does not move curves by accident.

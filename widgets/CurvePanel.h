@@ -18,6 +18,8 @@ namespace mien {
 
 class CurveView;
 class FaceModel;
+class FaceView;
+class ScanPanel;
 
 /// Where should the boundary curves of the neutral face lie? Points of curves are moved by numbers or dragged in the
 /// view of the curves, with a smooth fall-off and mirrored or not; the moves stand in a list, from which they can be
@@ -25,11 +27,13 @@ class FaceModel;
 class CurvePanel : public QWidget {
   Q_OBJECT
  public:
-  CurvePanel(FaceModel* model, CurveView* view, QWidget* parent = nullptr);
+  CurvePanel(FaceModel* model, FaceView* face, CurveView* view, QWidget* parent = nullptr);
 
   bool save(const QString& fileName);  ///< the edited neutral curves as .vtp; the message bar says what is wrong
 
  protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
   void hideEvent(QHideEvent* event) override;
 
  private:
@@ -53,6 +57,7 @@ class CurvePanel : public QWidget {
 
   FaceModel* model_;
   CurveHandle* handle_;
+  ScanPanel* scan_;
   std::vector<CurveEdit> beforeDrag_;
   QComboBox* curve_;
   QSpinBox *point_, *spread_;

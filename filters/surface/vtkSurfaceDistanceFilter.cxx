@@ -50,6 +50,7 @@ void fillTable(const std::array<mien::DistanceSummary, 2>& summaries, vtkTable* 
   vtkNew<vtkLongLongArray> points;
   points->SetName("points");
   const auto rms = column("rms_mm"), mean = column("mean_mm"), maximum = column("max_mm"), area = column("area_mm2");
+  const auto median = column("median_mm"), percentile95 = column("p95_mm");
   for (int i = 0; i < 2; ++i) {
     directions->InsertNextValue(directionNames[i]);
     rms->InsertNextValue(summaries[i].rms);
@@ -57,10 +58,14 @@ void fillTable(const std::array<mien::DistanceSummary, 2>& summaries, vtkTable* 
     maximum->InsertNextValue(summaries[i].maximum);
     area->InsertNextValue(summaries[i].area);
     points->InsertNextValue(summaries[i].points);
+    median->InsertNextValue(summaries[i].median);
+    percentile95->InsertNextValue(summaries[i].percentile95);
   }
   table->AddColumn(directions);
   for (const auto& array : {rms, mean, maximum, area}) table->AddColumn(array);
   table->AddColumn(points);
+  table->AddColumn(median);
+  table->AddColumn(percentile95);
 }
 
 void fillOutput(const Side& side, vtkPolyData* output) {
@@ -126,6 +131,14 @@ double vtkSurfaceDistanceFilter::GetMeanDistance(int direction) const {
 
 double vtkSurfaceDistanceFilter::GetMaximumDistance(int direction) const {
   return this->Impl->summaries[direction != 0].maximum;
+}
+
+double vtkSurfaceDistanceFilter::GetMedianDistance(int direction) const {
+  return this->Impl->summaries[direction != 0].median;
+}
+
+double vtkSurfaceDistanceFilter::GetPercentile95Distance(int direction) const {
+  return this->Impl->summaries[direction != 0].percentile95;
 }
 
 int vtkSurfaceDistanceFilter::FillInputPortInformation(int, vtkInformation* info) {
