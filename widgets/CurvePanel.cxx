@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QSpinBox>
+#include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include "CurveFile.h"
 #include "FaceLayout.h"
 #include "FaceModel.h"
+#include "FramedButton.h"
 #include "ScanPanel.h"
 
 namespace mien {
@@ -58,6 +60,7 @@ CurvePanel::CurvePanel(FaceModel* model, FaceView* face, CurveView* view, QWidge
     : QWidget(parent),
       model_(model),
       handle_(new CurveHandle(view, model, this)),
+      tabs_(new QTabWidget(this)),
       scan_(new ScanPanel(model, face, this)),
       curve_(new QComboBox(this)),
       point_(new QSpinBox(this)),
@@ -68,6 +71,7 @@ CurvePanel::CurvePanel(FaceModel* model, FaceView* face, CurveView* view, QWidge
       width_(new QDoubleSpinBox(this)),
       mirror_(new QCheckBox(tr("Mirror"), this)),
       edits_(new QListWidget(this)),
+      hint_(new QLabel(edits_->viewport())),
       apply_(new QToolButton(this)),
       drag_(new QToolButton(this)),
       undo_(new QToolButton(this)),
@@ -79,20 +83,28 @@ CurvePanel::CurvePanel(FaceModel* model, FaceView* face, CurveView* view, QWidge
   describeMove();
   describeButtons();
   setAcceptDrops(true);
+  describeTabs();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 0, 8, 6);
+  column->addWidget(tabs_);
+  connectControls();
+  connectHandle();
+  showEdits();
+}
+
+void CurvePanel::describeTabs() {
   auto* moves = new QWidget(this);
   auto* column = new QVBoxLayout(moves);
-  column->setContentsMargins(0, 0, 0, 0);
+  column->setContentsMargins(0, 6, 0, 0);
   column->setSpacing(4);
   column->addWidget(placeRow());
   column->addWidget(moveRow());
   column->addWidget(listColumn(), 1);
-  auto* both = new QHBoxLayout(this);
-  both->setContentsMargins(8, 4, 8, 6);
-  both->addWidget(moves, 1);
-  both->addWidget(scan_, 1);
-  connectControls();
-  connectHandle();
-  showEdits();
+  tabs_->setObjectName("curveTabs");
+  tabs_->addTab(moves, tr("Edit"));
+  tabs_->addTab(scan_, tr("Scan"));
+  tabs_->setTabToolTip(0, tr("Points of the curves are moved by hand"));
+  tabs_->setTabToolTip(1, tr("The curves of a scan of a head, and its distance from the face"));
 }
 
 void CurvePanel::describePlace() {
@@ -134,25 +146,26 @@ void CurvePanel::describeMove() {
 }
 
 void CurvePanel::describeButtons() {
-  const auto describe = [](QToolButton* button, const QString& name, const QString& text, const QString& tip) {
-    button->setObjectName(name);
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setProperty("framed", true);
-    button->setFocusPolicy(Qt::TabFocus);
-  };
-  describe(apply_, "curveApply", tr("Move"), tr("Moves the point; what would make curves cross is refused"));
-  describe(drag_, "curveDrag", tr("Edit in the view"),
-           tr("Points of the curves are dragged with the mouse in the view Curves, in its plane, with this width, "
-              "spread and mirror; Escape cancels a drag"));
+  makeFramed(apply_, "curveApply", tr("Move"), tr("Moves the point; what would make curves cross is refused"));
+  makeFramed(drag_, "curveDrag", tr("Edit in the view"),
+             tr("Points of the curves are dragged with the mouse in the view Curves, in its plane, with this width, "
+                "spread and mirror; Escape cancels a drag"));
   drag_->setCheckable(true);
-  describe(undo_, "curveUndo", tr("Undo"), tr("Takes the last move back"));
-  describe(remove_, "curveRemove", tr("Remove"), tr("Takes the chosen move out of the list"));
-  describe(clear_, "curveClear", tr("Remove all"), tr("The curves as they were read"));
-  describe(save_, "curveSave", tr("Save curves..."),
-           tr("Writes the neutral curves with these moves as .vtp, which --face takes"));
+  makeFramed(undo_, "curveUndo", tr("Undo"), tr("Takes the last move back"));
+  makeFramed(remove_, "curveRemove", tr("Remove"), tr("Takes the chosen move out of the list"));
+  makeFramed(clear_, "curveClear", tr("Remove all"), tr("The curves as they were read"));
+  makeFramed(save_, "curveSave", tr("Save curves..."),
+             tr("Writes the neutral curves with these moves as .vtp, which --face takes"));
   edits_->setObjectName("curveEdits");
   edits_->setToolTip(tr("The moves, made one after the other"));
+  hint_->setObjectName("curveHint");
+  hint_->setText(
+      tr("No moves yet. Choose a curve and a point, give millimetres and press Move; or press Edit in the "
+         "view and drag points there."));
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setProperty("faint", true);
+  (new QVBoxLayout(edits_->viewport()))->addWidget(hint_);
 }
 
 QWidget* CurvePanel::placeRow() {
@@ -206,6 +219,8 @@ void CurvePanel::connectControls() {
   connect(save_, &QToolButton::clicked, this, &CurvePanel::chooseSaved);
   connect(edits_, &QListWidget::currentRowChanged, remove_, [this](int row) { remove_->setEnabled(row >= 0); });
   connect(model_, &FaceModel::stateChanged, this, &CurvePanel::showEdits);
+  connect(scan_, &ScanPanel::opened, this, [this] { tabs_->setCurrentWidget(scan_); });
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] { drag_->setChecked(false); });
   connect(model_, &FaceModel::updated, this, [this] { point_->setMaximum(model_->pointsPerCurve() - 1); });
   point_->setMaximum(model_->pointsPerCurve() - 1);
   point_->setValue(model_->pointsPerCurve() / 2);
@@ -300,6 +315,7 @@ void CurvePanel::showEdits() {
   for (const CurveEdit& edit : model_->state().edits) edits_->addItem(textOf(edit));
   edits_->setCurrentRow(std::min(chosen, edits_->count() - 1));
   remove_->setEnabled(edits_->currentRow() >= 0);
+  hint_->setVisible(edits_->count() == 0);
   undo_->setEnabled(edits_->count() > 0);
   clear_->setEnabled(edits_->count() > 0);
 }

@@ -10,8 +10,10 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
 class QListWidget;
 class QSpinBox;
+class QTabWidget;
 class QToolButton;
 
 namespace mien {
@@ -41,6 +43,7 @@ class CurvePanel : public QWidget {
   QWidget* moveRow();
   QWidget* listColumn();
   QWidget* rowOf(const std::vector<std::pair<QString, QWidget*>>& controls);
+  void describeTabs();
   void describePlace();
   void describeMove();
   void describeButtons();
@@ -57,6 +60,7 @@ class CurvePanel : public QWidget {
 
   FaceModel* model_;
   CurveHandle* handle_;
+  QTabWidget* tabs_;
   ScanPanel* scan_;
   std::vector<CurveEdit> beforeDrag_;
   QComboBox* curve_;
@@ -64,6 +68,7 @@ class CurvePanel : public QWidget {
   QDoubleSpinBox *dx_, *dy_, *dz_, *width_;
   QCheckBox* mirror_;
   QListWidget* edits_;
+  QLabel* hint_;
   QToolButton *apply_, *drag_, *undo_, *remove_, *clear_, *save_;
 };
 

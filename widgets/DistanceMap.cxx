@@ -2,6 +2,7 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkPolyData.h>
+#include <vtkReverseSense.h>
 #include <vtkSurfaceDistanceFilter.h>
 
 #include "BackgroundTask.h"
@@ -80,7 +81,10 @@ void DistanceMap::follow() {
     return;
   }
   auto face = vtkSmartPointer<vtkPolyData>::New(), scan = vtkSmartPointer<vtkPolyData>::New();
-  face->DeepCopy(model_->pipeline().surface()->GetOutputDataObject(0));
+  vtkNew<vtkReverseSense> outwards;  // where its normals point already; else it is lit from behind
+  outwards->SetInputConnection(model_->pipeline().surface()->GetOutputPort());
+  outwards->Update();
+  face->DeepCopy(outwards->GetOutput());
   scan->DeepCopy(scan_);
   const int direction = subject_ == Subject::Face ? 0 : 1;
   task_->start(

@@ -2,17 +2,16 @@
 
 #include <QHBoxLayout>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVariant>
 
+#include "PercentSlider.h"
 #include "ValueSlider.h"
 
 namespace mien {
 
 namespace {
 
-constexpr int full = 100;      // percent
 constexpr int nameWidth = 84;  // pixels: the longest name, so that sliders begin below each other
 
 }  // namespace
@@ -41,26 +40,12 @@ void ExpressionRow::build(const QString& name, const QString& definition) {
   name_->setToolTip(
       tr("%1<br>Click for this expression alone, again for the neutral face; sliders mix.").arg(definition));
   slider_->setObjectName("expressionSlider_" + name);
-  slider_->setRange(0, full);
-  slider_->setPageStep(10);
-  slider_->setDoubleClickResets(true);
-  slider_->setAccessibleName(tr("Intensity of %1").arg(name));
-  slider_->setToolTip(definition);
   percent_->setObjectName("expressionPercent_" + name);
-  percent_->setRange(0, full);
-  percent_->setSuffix(" %");
-  percent_->setAlignment(Qt::AlignRight);
-  percent_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  percent_->setAccessibleName(slider_->accessibleName());
-  const QFontMetrics metrics = percent_->fontMetrics();
-  percent_->setFixedSize(metrics.horizontalAdvance("100 %") + 18, metrics.height() + 10);
+  makePercent(slider_, percent_, tr("Intensity of %1").arg(name), definition);
 }
 
 void ExpressionRow::setPercent(int percent) {
-  const QSignalBlocker quietSlider(slider_), quietPercent(percent_);
-  slider_->setValue(percent);
-  slider_->setShownValue(percent);
-  percent_->setValue(percent);
+  showPercent(slider_, percent_, percent);
   name_->setChecked(percent > 0);
 }
 

@@ -17,6 +17,7 @@
 #include "DeformationText.h"
 #include "FDTData.h"
 #include "FaceModel.h"
+#include "FramedButton.h"
 #include "PipelineErrors.h"
 #include "PresentTable.h"
 #include "TableText.h"
@@ -70,22 +71,15 @@ FitBar::FitBar(FaceModel* model, PresentTable* present, QWidget* parent)
 }
 
 void FitBar::describeControls() {
-  const auto describe = [](QToolButton* button, const QString& name, const QString& text, const QString& tip) {
-    button->setObjectName(name);
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setProperty("framed", true);
-    button->setFocusPolicy(Qt::TabFocus);
-  };
-  describe(pin_, "deformationPin", tr("Pin as A"),
-           tr("The neutral face A that tables are fitted from: pressed, the face as it stands now, its FAPs and its "
-              "table; else the face at rest"));
+  makeFramed(pin_, "deformationPin", tr("Pin as A"),
+             tr("The neutral face A that tables are fitted from: pressed, the face as it stands now, its FAPs and its "
+                "table; else the face at rest"));
   pin_->setCheckable(true);
-  describe(use_, "deformationUse", tr("Use fit"),
-           tr("The face goes back to A, and the table fitted from A to the present face bends it; the session keeps "
-              "it. Not where A has a table of its own, as one table bends a face at a time"));
-  describe(save_, "deformationSave", tr("Save..."),
-           tr("Writes the table fitted from A to the present face as .csv, in pupil units"));
+  makeFramed(use_, "deformationUse", tr("Use fit"),
+             tr("The face goes back to A, and the table fitted from A to the present face bends it; the session keeps "
+                "it. Not where A has a table of its own, as one table bends a face at a time"));
+  makeFramed(save_, "deformationSave", tr("Save..."),
+             tr("Writes the table fitted from A to the present face as .csv, in pupil units"));
   status_->setObjectName("deformationStatus");
   status_->setProperty("faint", true);
   status_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -103,8 +97,7 @@ void FitBar::showFit() {
       "(half the distance of the pupils)"));
   if (!fit) return status_->setText(tr("The fit is being computed."));
   if (!fit->fault.isEmpty()) return status_->setText(fit->fault);
-  if (!moves)
-    return status_->setText(tr("A: %1. The present face is A; move it.").arg(present_->neutralText()));
+  if (!moves) return status_->setText(tr("A: %1. The present face is A; move it.").arg(present_->neutralText()));
   const auto worst = std::max_element(fit->rms.begin(), fit->rms.end());
   status_->setText(tr("A: %1. RMS %2, at most %3 (region %4) pupil units")
                        .arg(present_->neutralText())

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct MotionRequest {
   MotionVectorOptions options;  ///< without a region
   std::string region;           ///< as VectorRegion reads it; empty: the whole face
   bool headMotionRemoved = false;
+  std::vector<int> samples;  ///< frames of an animation file, from 0, that tell how far all of it moves; empty: none
+  bool againstFrameBefore = false;  ///< whether the origin of every sample is the frame before it
 };
 
 /// What came out.
@@ -37,9 +40,10 @@ struct MotionResult {
 
 /// Computes motion vector figures on a thread of its own, the latest request last.
 ///
-/// While scale and range are left open they grow at once where the motion does, and shrink when it has been smaller for
-/// two seconds, so that arrows keep their meaning from picture to picture and still can be seen; fit() chooses them
-/// anew.
+/// While scale and range are left open, those of an animation file suit the motion of all its samples, and stay.
+/// Without one they grow at once where the motion does, and shrink when it has been smaller for two seconds, so that
+/// arrows keep their meaning from picture to picture and still can be seen. Another file begins anew, and so does
+/// fit().
 class LiveMotion : public QObject {
   Q_OBJECT
  public:
@@ -57,7 +61,9 @@ class LiveMotion : public QObject {
 
  private:
   struct Held;
+  using Progress = std::function<bool(double share)>;
   static void measure(FaceMotion& motion, MotionResult& result);
+  static void survey(FaceMotion& motion, const MotionRequest& request, const Progress& progress, Held& held);
   static void draw(Held& held, MotionResult& result);
 
   MotionResult result_;

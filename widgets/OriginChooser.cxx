@@ -82,10 +82,13 @@ FaceState OriginChooser::origin() const {
   return model_->withoutStream(state);
 }
 
+bool OriginChooser::isFrameBefore() const {
+  return choice_->currentIndex() == frameBefore && model_->frameCount() > 0;
+}
+
 QString OriginChooser::originName() const {
   if (const Pin* pin = pinned()) return pin->words;
-  return choice_->currentIndex() == frameBefore && model_->frameCount() > 0 ? tr("the frame before")
-                                                                            : tr("the neutral face");
+  return isFrameBefore() ? tr("the frame before") : tr("the neutral face");
 }
 
 void OriginChooser::pin() {

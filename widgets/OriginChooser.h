@@ -21,6 +21,7 @@ class OriginChooser : public QWidget {
   OriginChooser(FaceModel* model, QWidget* parent = nullptr);
 
   FaceState origin() const;
+  bool isFrameBefore() const;  ///< whether the origin is another one for every frame
   QString originName() const;  ///< "the neutral face", "frame 100 of talk.fap, joy"
 
  public slots:

@@ -11,6 +11,7 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMimeData>
@@ -26,6 +27,7 @@
 #include "CurveFile.h"
 #include "FaceModel.h"
 #include "FaceView.h"
+#include "FramedButton.h"
 #include "LengthUnit.h"
 #include "vtkBoundaryCurveReader.h"
 
@@ -34,6 +36,7 @@ namespace mien {
 namespace {
 
 constexpr double translucent = 0.45;
+constexpr int longestName = 150;  // pixels
 const QColor scanColor("#5b8fc7");
 const char* const endings[] = {".ply", ".obj", ".stl", ".off", ".csv"};
 
@@ -69,7 +72,7 @@ ScanPanel::ScanPanel(FaceModel* model, FaceView* view, QWidget* parent)
   describeButtons();
   describeMap();
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  column->setContentsMargins(0, 6, 0, 0);
   column->setSpacing(4);
   column->addWidget(row({open_, landmarks_, unit_, adopt_, visible_}));
   column->addWidget(row({new QLabel(tr("Distances"), this), subject_, largest_, frontal_, progress_, cancel_}));
@@ -88,20 +91,14 @@ ScanPanel::~ScanPanel() {
 }
 
 void ScanPanel::describeButtons() {
-  const auto describe = [](QToolButton* button, const QString& name, const QString& text, const QString& tip) {
-    button->setObjectName(name);
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setProperty("framed", true);
-    button->setFocusPolicy(Qt::TabFocus);
-  };
-  describe(open_, "scanOpen", tr("Scan..."),
-           tr("Measures the curves of a scan of a head: .ply .obj .stl .off, in any unit and pose"));
-  describe(landmarks_, "scanLandmarks", tr("Landmarks..."),
-           tr("Landmarks of the scan from a .csv; without one they are found by fitting the generic face"));
+  makeFramed(open_, "scanOpen", tr("Scan..."),
+             tr("Measures the curves of a scan of a head: .ply .obj .stl .off, in any unit and pose"));
+  makeFramed(landmarks_, "scanLandmarks", tr("Landmarks..."),
+             tr("Landmarks of the scan from a .csv; without one they are found by fitting the generic face"));
   landmarks_->setCheckable(true);
-  describe(adopt_, "scanAdopt", tr("Adopt curves..."), tr("Writes the scan's curves as .vtp and makes them the face"));
-  describe(cancel_, "scanCancel", tr("Cancel"), tr("Stops measuring the scan"));
+  makeFramed(adopt_, "scanAdopt", tr("Adopt curves..."),
+             tr("Writes the scan's curves as .vtp and makes them the face"));
+  makeFramed(cancel_, "scanCancel", tr("Cancel"), tr("Stops measuring the scan"));
   unit_->setObjectName("scanUnit");
   unit_->addItem(tr("Unit found"), QString());
   for (const char* unit : {"mm", "cm", "m", "inch"}) unit_->addItem(unit, unit);
@@ -114,6 +111,7 @@ void ScanPanel::describeButtons() {
   report_->setObjectName("scanReport");
   report_->setReadOnly(true);
   report_->setToolTip(tr("What was found: unit, pose, mesh, landmarks, distance of the scan's own spline face"));
+  report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   report_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
 }
 
@@ -209,8 +207,15 @@ void ScanPanel::open(const QString& fileName) {
 void ScanPanel::openLandmarks(const QString& fileName) {
   landmarkFile_ = fileName;
   landmarks_->setChecked(!fileName.isEmpty());
-  landmarks_->setText(fileName.isEmpty() ? tr("Landmarks...") : QFileInfo(fileName).fileName());
+  showLandmarkFile();
   measure();
+}
+
+/// A long name would widen the window.
+void ScanPanel::showLandmarkFile() {
+  const QString name = QFileInfo(landmarkFile_).fileName();
+  landmarks_->setText(name.isEmpty() ? tr("Landmarks...")
+                                     : fontMetrics().elidedText(name, Qt::ElideMiddle, longestName));
 }
 
 bool ScanPanel::isMeasuring() const {
@@ -218,6 +223,7 @@ bool ScanPanel::isMeasuring() const {
 }
 
 void ScanPanel::measure() {
+  emit opened();
   if (file_.isEmpty()) return;
   AcquireOptions options;
   options.landmarkFile = landmarkFile_.toStdString();

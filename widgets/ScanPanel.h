@@ -40,6 +40,9 @@ class ScanPanel : public QWidget {
   bool isMeasuring() const;
   bool hasScan() const { return scan_; }
 
+ signals:
+  void opened();  ///< whatever came of it
+
  private:
   struct Found;
   void describeButtons();
@@ -52,6 +55,7 @@ class ScanPanel : public QWidget {
   void choose();
   void chooseLandmarks(bool on);
   void chooseAdopted();
+  void showLandmarkFile();
   void showReport();
   void showScan();
 

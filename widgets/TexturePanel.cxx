@@ -18,6 +18,7 @@
 #include "FacePhotograph.h"
 #include "FaceView.h"
 #include "FlipBox.h"
+#include "FramedButton.h"
 #include "PictureLabel.h"
 #include "WarpMeshView.h"
 
@@ -71,28 +72,19 @@ TexturePanel::~TexturePanel() {
   delete photograph_;
 }
 
-void TexturePanel::describeButton(QToolButton* button, const QString& name, const QString& text, const QString& tip) {
-  button->setObjectName(name);
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setProperty("framed", true);
-  button->setFocusPolicy(Qt::TabFocus);
-}
-
 void TexturePanel::describeButtons() {
-  describeButton(open_, "textureOpen", tr("Photograph..."),
-                 tr("A photograph of a face from the front (.png, .jpg, .tif), with the mesh that lies beside it "
-                    "(.csv); it can be dropped on this dock as well"));
-  describeButton(painted_, "texturePainted", tr("Painted"), tr("The painted face that comes with Mien"));
-  describeButton(
-      openMesh_, "textureOpenMesh", tr("Mesh..."),
-      tr("Where the features lie on the photograph: a mesh, or a list of its landmarks (68 by number or 25 by "
-         "name), .csv"));
-  describeButton(undo_, "textureUndo", tr("Undo"), tr("The mesh before its last move"));
-  describeButton(reset_, "textureReset", tr("Reset"), tr("The mesh as it was opened"));
-  describeButton(save_, "textureSave", tr("Save mesh..."),
-                 tr("Writes the mesh as .csv; beside the photograph under its name it is found by itself"));
-  describeButton(cancel_, "textureCancel", tr("Cancel"), tr("Ends the work; what was shown stays"));
+  makeFramed(open_, "textureOpen", tr("Photograph..."),
+             tr("A photograph of a face from the front (.png, .jpg, .tif), with the mesh that lies beside it "
+                "(.csv); it can be dropped on this dock as well"));
+  makeFramed(painted_, "texturePainted", tr("Painted"), tr("The painted face that comes with Mien"));
+  makeFramed(openMesh_, "textureOpenMesh", tr("Mesh..."),
+             tr("Where the features lie on the photograph: a mesh, or a list of its landmarks (68 by number or 25 by "
+                "name), .csv"));
+  makeFramed(undo_, "textureUndo", tr("Undo"), tr("The mesh before its last move"));
+  makeFramed(reset_, "textureReset", tr("Reset"), tr("The mesh as it was opened"));
+  makeFramed(save_, "textureSave", tr("Save mesh..."),
+             tr("Writes the mesh as .csv; beside the photograph under its name it is found by itself"));
+  makeFramed(cancel_, "textureCancel", tr("Cancel"), tr("Ends the work; what was shown stays"));
 }
 
 void TexturePanel::describeChoices() {
@@ -229,10 +221,17 @@ void TexturePanel::showPhotograph() {
   mesh_->setEnabled(shown || !photograph_->isOpen());
   mesh_->setPicture(photograph_->picture());
   mesh_->setMesh(photograph_->mesh());
+  showChosen();
+}
+
+QString TexturePanel::unsavedText() const {
+  return photograph_->isOpen() && photograph_->isOn() && !photograph_->isSaved()
+             ? tr("The mesh is not saved: without Save mesh it is gone with this session.")
+             : QString();
 }
 
 void TexturePanel::showChosen() {
-  status_->setText(QString());
+  status_->setText(unsavedText());
   const WarpMesh& mesh = photograph_->mesh();
   const MeshNode node = mesh_->chosen();
   if (!photograph_->isOpen() || node.row < 0 || node.row >= mesh.rows() || node.column >= mesh.columns()) return;
@@ -247,7 +246,7 @@ void TexturePanel::showChosen() {
                      .arg(mesh.width)
                      .arg(mesh.height);
   if (!fault_.isEmpty()) text = tr("Refused: %1.   %2").arg(fault_, text);
-  status_->setText(text);
+  status_->setText(text + "   " + unsavedText());
 }
 
 void TexturePanel::dragEnterEvent(QDragEnterEvent* event) {

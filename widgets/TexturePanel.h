@@ -33,7 +33,6 @@ class TexturePanel : public QWidget {
  private:
   QWidget* controls();
   QWidget* statusRow();
-  void describeButton(QToolButton* button, const QString& name, const QString& text, const QString& tip);
   void describeButtons();
   void describeChoices();
   void describeViews();
@@ -43,6 +42,7 @@ class TexturePanel : public QWidget {
   void chooseSaved();
   void showPhotograph();
   void showChosen();
+  QString unsavedText() const;
 
   FaceModel* model_;
   FacePhotograph* photograph_;

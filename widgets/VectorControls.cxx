@@ -22,13 +22,15 @@ namespace {
 using Length = MotionVectorOptions::Length;
 using Color = MotionVectorOptions::Color;
 
-constexpr int evenly = 0;                                                // of samplings
+constexpr int bySize = 0, evenly = 1;                                    // of samplings
 constexpr int automatic = 0, trueToFace = 1, given = 2;                  // of scales
 constexpr int givenRange = 1;                                            // of ranges
 constexpr double leastSpacing = 1.0, mostSpacing = 50.0, spacing = 5.0;  // mm
 constexpr double mostStep = 50.0;                                        // of vertices
 constexpr double leastScale = 0.01, mostScale = 1000.0;                  // mm of motion per mm of arrow
 constexpr double leastRange = 0.01, mostRange = 1000.0;                  // mm
+constexpr VectorSampling::Kind samplings[] = {VectorSampling::Kind::Automatic, VectorSampling::Kind::Even,
+                                              VectorSampling::Kind::Every};
 const double diagonal = std::sqrt(0.5);
 
 struct View {
@@ -126,9 +128,10 @@ void VectorControls::buildPicture() {
                  tr("Part of the face; or drag a rectangle in the figure, double click for the whole face"));
   add(tr("View"), view_);
   add(tr("Region"), region_);
-  sampling_ = list(
-      "vectorsSampling", {tr("Evenly"), tr("Every n-th")},
-      tr("Which of the vectors are drawn: evenly in the picture, at that distance, or every n-th vertex of the mesh"));
+  sampling_ =
+      list("vectorsSampling", {tr("Automatic"), tr("Evenly"), tr("Every n-th")},
+           tr("Which of the vectors are drawn: as close as the figure's size lets arrows be told apart, evenly at that "
+              "distance in the picture, or every n-th vertex of the mesh"));
   spacing_ =
       number("vectorsSpacing", leastSpacing, mostSpacing, spacing, tr(" mm"), tr("Distance between vectors, or n"));
   add(tr("Sampling"), sampling_, spacing_);
@@ -139,8 +142,8 @@ void VectorControls::buildArrows() {
                  tr("Length of the arrows: the vector as the view shows it, its length in space, or equal, which shows "
                     "directions"));
   scale_ = list("vectorsScale", {tr("Automatic"), tr("As the face"), tr("Given")},
-                tr("Scale of the arrows: a round one that follows the motion: growing at once, shrinking after two "
-                   "seconds of less; as large as the face is drawn; or given"));
+                tr("Scale of the arrows: a round one for the whole of an open animation, without one for what is seen, "
+                   "growing at once and shrinking after two seconds of less; as large as the face is drawn; or given"));
   scaleValue_ =
       number("vectorsScaleValue", leastScale, mostScale, 1.0, tr(" mm/mm"), tr("mm of motion in one mm of arrow"));
   color_ = list("vectorsColor", {tr("Length"), tr("Towards viewer"), tr("None")},
@@ -148,9 +151,10 @@ void VectorControls::buildArrows() {
   map_ = list("vectorsColorMap", mapNames(),
               tr("Colour map: viridis for lengths and coolwarm, which diverges from zero, towards the viewer; or one "
                  "of your choice"));
-  range_ = list("vectorsRange", {tr("Automatic"), tr("Up to")},
-                tr("Range of the colours: one that follows the motion: growing at once, shrinking after two seconds of "
-                   "less; or up to a given length"));
+  range_ =
+      list("vectorsRange", {tr("Automatic"), tr("Up to")},
+           tr("Range of the colours: one for the whole of an open animation, without one for what is seen, growing "
+              "at once and shrinking after two seconds of less; or up to a given length"));
   rangeValue_ = number("vectorsRangeValue", leastRange, mostRange, 10.0, tr(" mm"), tr("End of the colours, mm"));
   head_ =
       check("vectorsHead", tr("Without the head's rotation"), tr("Leave out the rotation of the head (FAP 48 to 50)"));
@@ -177,7 +181,8 @@ void VectorControls::connectAll() {
 }
 
 void VectorControls::followChoices() {
-  const bool even = sampling_->currentIndex() == evenly;
+  const bool even = sampling_->currentIndex() <= evenly;
+  spacing_->setEnabled(sampling_->currentIndex() != bySize);
   {
     const QSignalBlocker quiet(spacing_);
     spacing_->setSuffix(even ? tr(" mm") : QString());
@@ -221,7 +226,7 @@ MotionVectorOptions VectorControls::options() const {
   MotionVectorOptions options;
   look(options.picture.plane);
   VectorSampling& sampling = options.picture.sampling;
-  sampling.kind = sampling_->currentIndex() == evenly ? VectorSampling::Kind::Even : VectorSampling::Kind::Every;
+  sampling.kind = samplings[sampling_->currentIndex()];
   sampling.spacing = spacing_->value();
   sampling.step = static_cast<int>(std::lround(spacing_->value()));
   options.picture.wholeFrame = whole_->isChecked();

@@ -12,8 +12,10 @@
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
+#include <set>
 
 #include "ExportButton.h"
+#include "FAPSequence.h"
 #include "FaceModel.h"
 #include "FaceNote.h"
 #include "FaceStateText.h"
@@ -35,12 +37,30 @@ namespace mien {
 
 namespace {
 
-constexpr int sideWidth = 330;     // pixels
-constexpr double shape = 0.9;      // widest figure over its height: a face is upright
-constexpr double wideShape = 1.7;  // with the key beside it
-constexpr double wideFrom = 1.3;   // room over height from which the key has its place beside the face
-constexpr double leastWidth = 55;  // mm, of a figure with a legible key
-constexpr double paperWidth = 85;  // mm, one column of a page
+constexpr int sideWidth = 330;      // pixels
+constexpr double shape = 0.9;       // widest figure over its height: a face is upright
+constexpr double wideShape = 1.7;   // with the key beside it
+constexpr double wideFrom = 1.3;    // room over height from which the key has its place beside the face
+constexpr double leastWidth = 55;   // mm, of a figure with a legible key
+constexpr double paperWidth = 85;   // mm, one column of a page
+constexpr size_t mostSamples = 48;  // of an animation, evenly
+constexpr int firstHead = 48, lastHead = 50;
+
+/// Frames that tell how far all of an animation moves: evenly chosen ones, and the ends of the head's turns, which move
+/// most.
+std::vector<int> samplesOf(const FAPSequence& motion) {
+  const size_t count = motion.frames.size();
+  std::set<int> samples;
+  for (size_t i = 0; i < mostSamples && count > 0; ++i)
+    samples.insert(static_cast<int>(i * (count - 1) / (mostSamples - 1)));
+  for (int fap = firstHead; fap <= lastHead && count > 0; ++fap) {
+    const auto less = [fap](const FAPFrame& a, const FAPFrame& b) { return a.value(fap) < b.value(fap); };
+    const auto [least, most] = std::minmax_element(motion.frames.begin(), motion.frames.end(), less);
+    samples.insert(static_cast<int>(least - motion.frames.begin()));
+    samples.insert(static_cast<int>(most - motion.frames.begin()));
+  }
+  return {samples.begin(), samples.end()};
+}
 
 }  // namespace
 
@@ -61,6 +81,7 @@ VectorPanel::VectorPanel(FaceModel* model, RenderView* view, QWidget* parent)
   whole->addWidget(new FlipBox(side(), figure_, 0, 1, this));
   connectAll();
   followCamera(view);
+  followAnimation();
 }
 
 VectorPanel::~VectorPanel() = default;
@@ -77,8 +98,9 @@ QWidget* VectorPanel::side() {
   fit->setText(tr("Fit"));
   fit->setProperty("framed", true);
   fit->setToolTip(
-      tr("Choose automatic scale and range for what is seen now. By themselves they grow at once and shrink only when "
-         "the motion has been smaller for two seconds, so that pictures that follow each other can be compared"));
+      tr("Choose automatic scale and range anew, for all of an open animation or for what is seen now. Without an "
+         "animation they grow at once and shrink only when the motion has been smaller for two seconds, so that "
+         "pictures that follow each other can be compared"));
   fit->setFocusPolicy(Qt::TabFocus);
   connect(fit, &QToolButton::clicked, this, &VectorPanel::fit);
   auto* last = new QHBoxLayout;
@@ -107,7 +129,14 @@ void VectorPanel::fit() {
   live_->request();
 }
 
+/// Frames of a stream are not known before they come.
+void VectorPanel::followAnimation() {
+  samples_ = model_->isLive() ? std::vector<int>() : samplesOf(model_->motion());
+  fit();
+}
+
 void VectorPanel::connectAll() {
+  connect(model_, &FaceModel::animationChanged, this, &VectorPanel::followAnimation);
   connect(origin_, &OriginChooser::changed, motion_, &LiveMotion::fit);
   connect(origin_, &OriginChooser::changed, live_, &LiveUpdate::request);
   connect(controls_, &VectorControls::scaleChanged, motion_, &LiveMotion::fit);
@@ -141,6 +170,8 @@ void VectorPanel::refresh() {
   request.options = controls_->options();
   request.region = controls_->region();
   request.headMotionRemoved = controls_->headMotionRemoved();
+  if (!request.moved.fapFile.empty()) request.samples = samples_;
+  request.againstFrameBefore = origin_->isFrameBefore();
   fitToScreen(request);
   motion_->request(request);
 }

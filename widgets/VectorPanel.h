@@ -3,6 +3,7 @@
 #include <vtkNew.h>
 
 #include <QWidget>
+#include <vector>
 
 #include "ExportDrawing.h"
 
@@ -44,6 +45,7 @@ class VectorPanel : public QWidget {
   QWidget* side();
   void connectAll();
   void followCamera(RenderView* view);
+  void followAnimation();
   void refresh();
   void show();
   void fitToScreen(MotionRequest& request) const;
@@ -59,6 +61,7 @@ class VectorPanel : public QWidget {
   QLabel* numbers_;
   LiveMotion* motion_;
   LiveUpdate* live_;
+  std::vector<int> samples_;  ///< of the animation's frames
   vtkNew<vtkEventQtSlotConnect> cameraEvents_;
 };
 

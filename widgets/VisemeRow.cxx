@@ -9,14 +9,13 @@
 
 #include "AnimationData.h"
 #include "ExpressionLibrary.h"
+#include "PercentSlider.h"
 #include "ValueSlider.h"
 #include "vtkFAPAnimationFilter.h"
 
 namespace mien {
 
 namespace {
-
-constexpr int full = 100;  // percent
 
 /// Words that are said with the visemes 1 .. 14, as the standard lists them (ISO/IEC 14496-2, table C.5).
 constexpr const char* examples[] = {"put, bed, mill",
@@ -68,19 +67,8 @@ void VisemeRow::build(int number) {
   name_->setMinimumContentsLength(13);
   name_->setMaxVisibleItems(name_->count());
   slider_->setObjectName("visemeSlider" + which);
-  slider_->setRange(0, full);
-  slider_->setPageStep(10);
-  slider_->setDoubleClickResets(true);
-  slider_->setAccessibleName(tr("Strength of the viseme"));
-  slider_->setToolTip(tr("How strong the viseme is"));
   percent_->setObjectName("visemePercent" + which);
-  percent_->setRange(0, full);
-  percent_->setSuffix(" %");
-  percent_->setAlignment(Qt::AlignRight);
-  percent_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  percent_->setAccessibleName(slider_->accessibleName());
-  const QFontMetrics metrics = percent_->fontMetrics();
-  percent_->setFixedSize(metrics.horizontalAdvance("100 %") + 18, metrics.height() + 10);
+  makePercent(slider_, percent_, tr("Strength of the viseme"), tr("How strong the viseme is"));
 }
 
 std::string VisemeRow::name() const {
@@ -88,11 +76,9 @@ std::string VisemeRow::name() const {
 }
 
 void VisemeRow::show(const std::string& name, int percent) {
-  const QSignalBlocker quiet[] = {QSignalBlocker(name_), QSignalBlocker(slider_), QSignalBlocker(percent_)};
+  const QSignalBlocker quiet(name_);
   name_->setCurrentIndex(std::max(0, name_->findData(QString::fromStdString(name))));
-  slider_->setValue(percent);
-  slider_->setShownValue(percent);
-  percent_->setValue(percent);
+  showPercent(slider_, percent_, percent);
   slider_->setEnabled(!name.empty());
   percent_->setEnabled(!name.empty());
 }

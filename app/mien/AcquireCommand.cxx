@@ -9,9 +9,10 @@
 #include "Command.h"
 #include "Failure.h"
 #include "Interruption.h"
-#include "LengthUnit.h"
+#include "NumberText.h"
 #include "OutputFile.h"
 #include "ProgressLine.h"
+#include "ScanUnit.h"
 
 namespace mien {
 
@@ -21,25 +22,14 @@ using json = nlohmann::ordered_json;
 
 constexpr int smallestCurve = 8, largestCurve = 4096;  // points
 constexpr int progressSteps = 1000;
+constexpr double doubtfulDepth = 1.0;  // mm; another head's landmarks seldom lie nearer: doc/decisions.md
 
 struct Options {
   AcquireOptions acquire;
-  std::string units, scale, pose = "auto";
+  ScanUnit unit;
+  std::string pose = "auto";
   bool json = false;
 };
-
-double scaleOf(const Options& options) {
-  if (!options.scale.empty()) {
-    const double scale = parseNumber("--scale", options.scale);
-    if (!(scale > 0.0))
-      throw ValueFailure("--scale " + options.scale + " is not allowed; it is the number of mm in one unit, above 0");
-    return scale;
-  }
-  if (options.units.empty()) return 0.0;
-  const LengthUnit* unit = lengthUnit(options.units);
-  if (!unit) throw ValueFailure("--units '" + options.units + "' is unknown; it is mm, cm, m or inch");
-  return unit->millimetres;
-}
 
 ScanSettings::Pose poseOf(const std::string& name) {
   if (name == "auto") return ScanSettings::Pose::Automatic;
@@ -96,6 +86,8 @@ json jsonOf(const AcquireResult& result) {
   if (r.fitted) object["fit"] = {{"rms_mm", r.fitDistance}, {"relief", r.fitRelief}, {"size", r.fitSize}};
   if (r.fitted && r.landmarksGiven)
     object["landmark_residual"] = {{"rms_mm", r.landmarkRMS}, {"max_mm", r.landmarkMaximum}};
+  if (r.landmarksGiven) object["landmark_depth_mm"] = r.landmarkDepth;
+  if (!r.uncomparedReason.empty()) object["landmark_residual"] = {{"missing", r.uncomparedReason}};
   object["frontal_distance"] = {{"rms_mm", result.frontalRMS}, {"max_mm", result.frontalMaximum}};
   object["crossings"] = result.crossings;
   return object;
@@ -104,12 +96,16 @@ json jsonOf(const AcquireResult& result) {
 /// What was assumed is said without --report as well.
 void remark(const AcquireResult& result) {
   const ScanReport& r = result.report;
-  if (r.unitRecognised && r.unit != "mm")
-    std::cerr << "mien: " << result.scan << ": lengths are taken as " << lengthUnit(r.unit)->fullName
-              << ", which puts the outer eye corners " << std::lround(r.eyes) << " mm apart; --units says otherwise\n";
+  ScanUnit::remark(result.scan, r);
   if (r.moved)
     std::cerr << "mien: " << result.scan
               << ": the head was moved onto the generic face; --pose keep leaves it where it is\n";
+  if (r.landmarkDepth > doubtfulDepth)
+    std::cerr << "mien: " << result.scan << ": the landmarks lie " << roundedText(r.landmarkDepth)
+              << " mm (median) off the scan; are they of this head?\n";
+  if (!r.uncomparedReason.empty())
+    std::cerr << "mien: " << result.scan
+              << ": the landmarks could not be compared with fitted ones: " << r.uncomparedReason << "\n";
   if (!r.landmarksGiven)
     std::cerr << "mien: " << result.scan
               << ": landmarks were fitted; --landmark-output writes them, so that they can be mended\n";
@@ -130,7 +126,7 @@ void deliver(const Options& options, const std::vector<AcquireResult>& results) 
 void run(const Options& given) {
   AcquireOptions options = given.acquire;
   check(options);
-  options.scan.millimetres = scaleOf(given);
+  options.scan.millimetres = given.unit.millimetres();
   options.scan.pose = poseOf(given.pose);
   options.report = options.report || given.json;
   OutputFile curves(options.outputFile);
@@ -168,8 +164,7 @@ void addAcquireCommand(CLI::App& program) {
   command->add_option("--landmarks", acquire.landmarkFile,
                       "FILE.csv with the columns landmark,vertex or landmark,x,y,z; serves all scans [found by fitting "
                       "the generic face]");
-  command->add_option("--units", options->units, "What the scan's lengths are in: mm, cm, m or inch [recognised]");
-  command->add_option("--scale", options->scale, "Millimetres in one unit of the scan")->excludes("--units");
+  options->unit.addTo(*command);
   command
       ->add_option("--pose", options->pose,
                    "auto: upright heads stay, others are moved onto the generic face; keep; move")

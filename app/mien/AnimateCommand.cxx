@@ -31,7 +31,8 @@ void addAnimateCommand(CLI::App& program) {
       "         mien animate speech.fap --frames 10,20,30 -o 'speech-{frame}.png'\n"
       "         capture | mien animate - -o frames/\n"
       "Files in a folder are counted from 0000 whatever the numbers of the frames. Ctrl-C stops between two frames and "
-      "leaves finished files only; a live film is closed with what has come.");
+      "leaves finished files only; a live film is closed with what has come, unless a second Ctrl-C leaves out\n"
+      "what is not drawn yet.");
   command->callback([options] {
     options->check();
     Animation(*options).run();

@@ -9,6 +9,7 @@
 #include "DataFile.h"
 #include "FAPSequence.h"
 #include "Failure.h"
+#include "FrameName.h"
 #include "Interruption.h"
 #include "OutputFile.h"
 #include "ProgressLine.h"
@@ -23,6 +24,7 @@ namespace mien {
 namespace {
 
 constexpr int pollInterval = 100;   // ms between looks at Ctrl-C
+constexpr int mostReads = 10000;    // of what has come, when a stream is stopped: a pipe that is always full has an end
 constexpr int samplesOfFrames = 2;  // along each side of a pixel; a film has many pixels and moves
 
 /// A name without an ending is a folder.
@@ -192,26 +194,59 @@ bool Animation::playStream(int& done) {
   FAPLiveInput::State state = FAPLiveInput::State::Open;
   ProgressLine progress(0);
   while (!wasInterrupted() && (state == FAPLiveInput::State::Open || !arrived_.empty())) {
-    for (const FAPFrame& frame : std::exchange(arrived_, {})) {
-      if (wasInterrupted()) break;
+    size_t shown = 0;
+    for (; shown < arrived_.size() && !wasInterrupted(); ++shown) {
       progress.show(done);
-      addStreamFrame(frame, done++);
+      addStreamFrame(arrived_[shown], done++);
     }
-    if (state == FAPLiveInput::State::Open) state = input_.wait(pollInterval, arrived_);
+    arrived_.erase(arrived_.begin(), arrived_.begin() + static_cast<std::ptrdiff_t>(shown));
+    if (state == FAPLiveInput::State::Open && !wasInterrupted()) state = input_.wait(pollInterval, arrived_);
   }
+  if (wasInterrupted() && state == FAPLiveInput::State::Open) drainStream();
   return state != FAPLiveInput::State::Failed;
+}
+
+/// What the stream has given up to now; that its last line may be cut off is the stop's doing.
+void Animation::drainStream() {
+  FAPLiveInput::State state = FAPLiveInput::State::Open;
+  size_t known = 0;
+  for (int reads = 0; reads < mostReads && state == FAPLiveInput::State::Open; ++reads) {
+    known = arrived_.size();
+    state = input_.wait(0, arrived_);
+    if (arrived_.size() == known) break;
+  }
+}
+
+/// Nobody can play a stream again: what came before the stop is drawn, unless a second one ends that too.
+void Animation::drawWaiting(int& done) {
+  if (!wasInterrupted() || arrived_.empty()) return;
+  noteSecondInterruption();
+  std::cerr << "mien: stopped; drawing the last " << counted(arrived_.size(), "frame")
+            << " that came before; Ctrl-C again leaves them out\n";
+  ProgressLine progress(done + static_cast<int>(arrived_.size()));
+  size_t shown = 0;
+  for (; shown < arrived_.size() && !wasInterruptedTwice(); ++shown) {
+    progress.show(done);
+    addStreamFrame(arrived_[shown], done++);
+  }
+  left_ = static_cast<int>(arrived_.size() - shown);
 }
 
 /// What was finished stays when the stream turns out to be wrong or is stopped: nobody can play it again.
 void Animation::runStream() {
   int done = 0;
   const bool good = playStream(done);
+  drawWaiting(done);
   for (const FAPWarning& warning : input_.sequence().warnings)
     std::cerr << "mien: standard input:" << warning.line << ": " << warning.message << "\n";
   const std::string result = sink_->finish(done > 0);
   printRemarks(pipeline_, contact_);
   if (!good) throw FileFailure(input_.fault() + "; what is left: " + result);
-  if (wasInterrupted()) throw Stopped("stopped after " + counted(done, "frame") + "; what is left: " + result);
+  if (wasInterrupted())
+    throw Stopped("stopped after " +
+                  (left_ > 0 ? std::to_string(done) + " of " + counted(done + left_, "frame") + " that came"
+                             : counted(done, "frame")) +
+                  "; what is left: " + result);
   std::cout << result << "\n";
 }
 

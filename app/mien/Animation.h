@@ -60,6 +60,8 @@ class Animation {
 
   void waitForStream();
   bool playStream(int& done);
+  void drainStream();
+  void drawWaiting(int& done);
   void runStream();
   void addStreamFrame(const FAPFrame& frame, int index);
 
@@ -68,6 +70,7 @@ class Animation {
   FacePipeline pipeline_;
   FAPLiveInput input_;
   std::vector<FAPFrame> arrived_;  ///< of the stream, not shown yet
+  int left_ = 0;                   ///< how many of them were never shown
   std::vector<AnimationFrame> frames_;
   ContactCount contact_;
   std::unique_ptr<FrameSink> sink_;

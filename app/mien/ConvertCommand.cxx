@@ -29,6 +29,9 @@ namespace mien {
 
 namespace {
 
+constexpr double roundedTo = 1e6;       // parts of a FAP unit, of values that were computed
+constexpr double largestRounded = 1e9;  // larger values have no digits to lose
+
 struct Options {
   std::string input, output, from, to, fps, map, start;
 };
@@ -82,16 +85,31 @@ FacialActionMap readMap(const std::string& file) {
   return map;
 }
 
+bool isCapture(std::optional<AnimationFormat> format) {
+  return format == AnimationFormat::ActionUnits || format == AnimationFormat::Blendshapes;
+}
+
+/// To a millionth: less is the rounding of sums and products, and makes long numbers.
+void roundValues(FAPSequence& sequence) {
+  const auto round = [](double value) {
+    return std::abs(value) < largestRounded ? std::round(value * roundedTo) / roundedTo : value;
+  };
+  for (FAPFrame& frame : sequence.frames)
+    for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap) frame.setValue(fap, round(frame.value(fap)));
+}
+
 FAPSequence readInput(const Options& options, const FacialActionMap& map) {
   const std::string name = shownAnimationName(options.input);
   std::string text;
   FAPSequence sequence;
   const std::string fault = readAnimationText(options.input, text);
   if (!fault.empty()) throw FileFailure(name + ": " + fault);
-  const auto error = parseAnimation(text, chooseSource(options), map, sequence);
+  const std::optional<AnimationFormat> source = chooseSource(options);
+  const auto error = parseAnimation(text, source, map, sequence);
   if (error) throw FileFailure(name + ":" + std::to_string(error->line) + ": " + error->message);
   for (const FAPWarning& warning : sequence.warnings)
     std::cerr << "mien: " << name << ":" << warning.line << ": " << warning.message << "\n";
+  if (isCapture(source ? source : recogniseAnimation(text, map))) roundValues(sequence);
   return sequence;
 }
 
@@ -100,9 +118,10 @@ void changeRate(double rate, FAPSequence& sequence) {
   if (rate == 0.0 || rate == sequence.framesPerSecond) return;
   if (sequence.rateIsAssumed)
     sequence.framesPerSecond = rate;
-  else if (std::optional<FAPSequence> mixed = resampled(sequence, rate))
+  else if (std::optional<FAPSequence> mixed = resampled(sequence, rate)) {
     sequence = std::move(*mixed);
-  else
+    roundValues(sequence);
+  } else
     throw ValueFailure("--fps " + shortestText(rate) + " makes more than a million frames of " +
                        shortestText(sequence.duration()) + " s; give a lower rate");
 }

@@ -9,6 +9,7 @@
 #include "FaceNote.h"
 #include "FaceOptions.h"
 #include "FaceStateText.h"
+#include "FaceTexture.h"
 #include "Failure.h"
 #include "FigureApplication.h"
 #include "FigureCatalogue.h"
@@ -42,9 +43,7 @@ FigureSettings settingsOf(const Options& options) {
   settings.theme = *FigureTheme::find(options.figure.theme());
   settings.labelled = !options.noLabels;
   settings.textures = options.textures;
-  if (!options.frames.empty())
-    for (const std::string& frame : splitText(options.frames, ','))
-      settings.frames.push_back(parseNumber("--frames", frame));
+  settings.frames = options.frames;
   return settings;
 }
 
@@ -88,7 +87,8 @@ void drawAll(const Options& options) {
       const std::string file = figure.id + "." + options.format;
       const std::string command = commandFor(options, figure.id);
       write(options, context, figure, (fs::path(options.output) / file).string(), command);
-      gallery.add({&figure, file, command + " -o " + file});
+      gallery.add(
+          {&figure, file, command + " -o " + file, faceNote(context.state(), {context.state().surface.scheme})});
     }
   }
   const std::string page = (fs::path(options.output) / "index.html").string();
@@ -117,10 +117,24 @@ void drawAgain(const Options& options) {
   program.parse(words);
 }
 
+/// Before anything is drawn: an image that is there, and its mesh.
+void requireTexture(const std::string& texture) {
+  FaceState state;
+  setTexture(texture, state);
+  if (!fs::exists(state.texture)) throw FileFailure(state.texture + ": there is no such picture");
+  const std::string mesh = state.textureMesh.empty() ? meshBeside(state.texture) : state.textureMesh;
+  if (!fs::exists(mesh))
+    throw FileFailure(mesh + ": there is no such warp mesh; mien texture makes one, to be named as IMAGE:MESH.csv");
+}
+
 void run(const Options& options) {
   options.figure.check();
-  requireEnding("x." + options.format, {"svg", "pdf", "png"});
+  if (options.format != "svg" && options.format != "pdf" && options.format != "png")
+    throw ValueFailure("--format '" + options.format + "' is none of svg, pdf, png");
   if (options.list) return listFigures();
+  if (options.all + !options.from.empty() + !options.id.empty() > 1)
+    throw ValueFailure("give one of an ID, --all and --from FILE");
+  for (const std::string& texture : options.textures) requireTexture(texture);
   if (options.all) return drawAll(options);
   if (options.output.empty()) throw ValueFailure("there is nothing to write; give a file with -o");
   if (!options.from.empty()) return drawAgain(options);
@@ -144,9 +158,15 @@ void addFigureCommand(CLI::App& program) {
   command->add_option("--format", options->format, "Of --all: svg, pdf or png")->capture_default_str();
   options->figure.addTo(*command, "Figure");
   command->add_flag("--no-labels", options->noLabels, "No (a), (b) .. before panels")->group("Figure");
-  command->add_option("--frames", options->frames, "Frame numbers of figures of an animation, such as 100,120,125")
+  command
+      ->add_option("--frames", options->frames,
+                   "Frame numbers of figures of an animation, such as 100,120,125 or 100:104")
       ->group("Figure");
-  command->add_option("--texture", options->textures, "Image of textured panels; once for each")->group("Figure");
+  command
+      ->add_option("--texture", options->textures,
+                   "Image of textured panels, IMAGE or IMAGE:MESH.csv with its warp mesh (else the .csv beside it); "
+                   "once for each")
+      ->group("Figure");
   options->face.addSurfaceOptions(*command);
   options->face.addAnimationOptions(*command);
   command->footer(

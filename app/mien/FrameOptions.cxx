@@ -1,6 +1,8 @@
 #include "FrameOptions.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "Arguments.h"
@@ -29,6 +31,19 @@ Range parseRange(const std::string& option, const std::string& text) {
   return range;
 }
 
+/// A range that goes past the file is a slip, as the number of a frame is that it does not have.
+void requireWithin(const Range& range, const std::string& option, const std::string& item,
+                   const FAPSequence& sequence) {
+  const auto less = [](const FAPFrame& a, const FAPFrame& b) { return a.number < b.number; };
+  const auto [least, most] = std::minmax_element(sequence.frames.begin(), sequence.frames.end(), less);
+  const bool before = std::isfinite(range.first) && range.first < least->number;
+  const bool after = std::isfinite(range.last) && range.last > most->number;
+  if (before || after)
+    throw ValueFailure(option + " '" + item + "' reaches beyond the animation, whose frames run from " +
+                       shortestText(least->number) + " to " + shortestText(most->number) +
+                       "; leave an end of FIRST:LAST out for all up to there");
+}
+
 }  // namespace
 
 std::vector<std::size_t> frameIndices(const std::string& option, const std::string& text, const FAPSequence& sequence) {
@@ -43,6 +58,7 @@ std::vector<std::size_t> frameIndices(const std::string& option, const std::stri
       throw ValueFailure(option + " '" + item + "' holds no frame; their numbers run from " +
                          shortestText(sequence.frames.front().number) + " to " +
                          shortestText(sequence.frames.back().number));
+    requireWithin(range, option, item, sequence);
   }
   return indices;
 }

@@ -34,9 +34,6 @@ std::unique_ptr<FrameSink> makePictureFolderSink(const std::string& folder);
 /// A file for each frame, named by the number of the frame in the animation's file in place of {frame}.
 std::unique_ptr<FrameSink> makeNumberedFilesSink(const std::string& pattern);
 
-/// Whether a name has {frame} in it.
-bool isNumberedByFrame(const std::string& name);
-
 /// A ParaView time series: NAME.pvd and a folder NAME of surfaces, without those of an earlier, longer run.
 /// @param ending  "vts", the grid with its blanked mouth, or "vtp", polygons without it
 std::unique_ptr<FrameSink> makeSurfaceSeriesSink(const std::string& name, const std::string& ending);

@@ -6,10 +6,10 @@ namespace mien {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interrupted = 0;  // how often
 
 void note(int signal) {
-  interrupted = 1;
+  interrupted = interrupted + 1;
   std::signal(signal, SIG_DFL);
 }
 
@@ -21,7 +21,15 @@ void noteInterruptions() {
 }
 
 bool wasInterrupted() {
-  return interrupted != 0;
+  return interrupted > 0;
+}
+
+void noteSecondInterruption() {
+  noteInterruptions();
+}
+
+bool wasInterruptedTwice() {
+  return interrupted > 1;
 }
 
 }  // namespace mien

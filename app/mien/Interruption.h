@@ -8,4 +8,10 @@ void noteInterruptions();
 
 bool wasInterrupted();
 
+/// After an interruption: from here on a second one is only noted too, for a command that still has something to keep.
+/// A third one ends the program at once.
+void noteSecondInterruption();
+
+bool wasInterruptedTwice();
+
 }  // namespace mien

@@ -17,6 +17,8 @@
 #include "Failure.h"
 #include "PipelineErrors.h"
 #include "ReportOptions.h"
+#include "ScanAcquisition.h"
+#include "ScanUnit.h"
 #include "TableRows.h"
 #include "WatchedUpdate.h"
 #include "vtkBoundaryCurveAcquisitionFilter.h"
@@ -35,7 +37,8 @@ namespace {
 using json = nlohmann::ordered_json;
 
 struct Options {
-  std::string scan, landmarks, tolerances = "0.05,0.1,0.2,0.5,1,2,4", points = "40";
+  std::string scan, landmarks, tolerances = "0.05,0.1,0.2,0.5,1,2,4", points = "40", spacing = "2";
+  ScanUnit unit;
   FaceOptions face;
   ReportOptions report;
 };
@@ -66,8 +69,10 @@ class MeasuredScan {
     acquisition_->SetInputConnection(scan_->GetOutputPort());
     if (!options.landmarks.empty()) acquisition_->SetLandmarkFileName(options.landmarks.c_str());
     acquisition_->SetPointsPerCurve(parseWholeNumber("--points", options.points));
-    acquisition_->Update();
+    acquisition_->SetScale(options.unit.millimetres());
+    updateWatched(acquisition_, "acquisition");
     requireNoError((options.landmarks.empty() ? options.scan : options.landmarks) + ":");
+    ScanUnit::remark(options.scan, acquisition_->GetAcquired().report);
     curves_ = acquisition_->GetOutput();
     measured_ = vtkPolyData::SafeDownCast(acquisition_->GetOutputDataObject(1));
   }
@@ -192,7 +197,12 @@ Report reportOf(const Options& options, vtkTable* table, int pointsPerCurve) {
 void run(const Options& options) {
   options.report.check();
   const FaceState state = options.face.state();
+  if (!state.curvesFile.empty() && options.unit.millimetres() > 0.0)
+    throw ValueFailure("--units and --scale are for scans that are measured; with --face the scan is in mm");
   const std::vector<double> tolerances = parseTolerances(options.tolerances);
+  const double spacing = parseMillimetres("--spacing", options.spacing);
+  if (!(spacing >= 0.1 && spacing <= 20.0))
+    throw ValueFailure("--spacing '" + options.spacing + "' is not allowed; give 0.1mm to 20mm");
   const MeasuredScan measured(options);
   const int k = measured.face.curves.pointsPerCurve;
   const std::string fault = describeFault(state.surface, k);
@@ -204,6 +214,7 @@ void run(const Options& options) {
   filter->SetScanData(measured.scan());
   filter->SetParameters(state.surface);
   filter->SetTolerances(tolerances);
+  filter->SetSampleSpacing(spacing);
   updateWatched(filter, "comparison");
   if (!errors.first().empty()) throw FileFailure(options.scan + ": " + errors.first());
   options.report.deliver(reportOf(options, filter->GetOutput(), k), "mien lod " + options.scan);
@@ -217,9 +228,12 @@ void addLodCommand(CLI::App& program) {
   command->add_option("scan", options->scan, "Scan of a head: .ply .obj .stl .off; in mm with --face")->required();
   command->add_option("--landmarks", options->landmarks,
                       "68 landmarks of the scan, FILE.csv as for mien acquire [fitted]");
+  options->unit.addTo(*command);
   command->add_option("--points", options->points, "K, points per curve that are measured, even")
       ->capture_default_str();
   command->add_option("--tolerances", options->tolerances, "RMS errors of the compact faces, mm")
+      ->capture_default_str();
+  command->add_option("--spacing", options->spacing, "Of the points at which distances are measured, mm")
       ->capture_default_str();
   options->report.addTo(*command);
   options->face.addSurfaceOptions(*command);
@@ -228,6 +242,7 @@ void addLodCommand(CLI::App& program) {
   command->footer(
       "Example: mien lod anna.ply --landmarks anna68.csv -o anna.csv -o anna.svg\n"
       "         mien lod anna.ply --face anna.vtp --json\n"
+      "         mien lod anna.ply --units m --spacing 4 -o quick.csv\n"
       "The PDE face, its first N modes, compact faces (.mienz) and the decimated scan, each with its distance to the "
       "scan. Ctrl-C stops "
       "without output.");

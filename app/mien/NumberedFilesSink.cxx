@@ -1,5 +1,6 @@
 #include "AnimationFrames.h"
 #include "Counted.h"
+#include "FrameName.h"
 #include "FrameSink.h"
 #include "OutputFile.h"
 #include "Picture.h"
@@ -8,8 +9,6 @@
 namespace mien {
 
 namespace {
-
-const std::string placeholder = "{frame}";
 
 class NumberedFilesSink : public FrameSink {
  public:
@@ -21,8 +20,7 @@ class NumberedFilesSink : public FrameSink {
   bool needsPictures() const override { return fileEnding(pattern_) == "png"; }
 
   void add(const AnimationFrame& frame, vtkStructuredGrid* surface, vtkImageData* picture) override {
-    std::string name = pattern_;
-    name.replace(name.find(placeholder), placeholder.size(), frame.number);
+    const std::string name = nameForFrame(pattern_, frame.number);
     if (needsPictures())
       writePNG(picture, name, {{"Software", "Mien " MIEN_VERSION}, {"Comment", frame.caption}});
     else
@@ -38,10 +36,6 @@ class NumberedFilesSink : public FrameSink {
 };
 
 }  // namespace
-
-bool isNumberedByFrame(const std::string& name) {
-  return name.find(placeholder) != std::string::npos;
-}
 
 std::unique_ptr<FrameSink> makeNumberedFilesSink(const std::string& pattern) {
   return std::make_unique<NumberedFilesSink>(pattern);

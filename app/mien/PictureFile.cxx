@@ -30,13 +30,12 @@ bool canHold(const std::string& ending, int type) {
 
 }  // namespace
 
-void writePicture(vtkImageData* image, const std::string& name) {
+void writePicture(vtkImageData* image, const OutputFile& file) {
+  const std::string& name = file.name();
   const std::string ending = fileEnding(name);
-  requireEnding(name, {"png", "jpg", "jpeg", "tif", "tiff"});
   if (!canHold(ending, image->GetScalarType()))
     throw ValueFailure(name + ": ." + ending + " cannot hold values of this kind (" + image->GetScalarTypeAsString() +
                        "); write a .tif");
-  OutputFile file(name);
   const auto writer = writerFor(ending);
   PipelineErrors errors;
   errors.observe(writer);
@@ -44,6 +43,12 @@ void writePicture(vtkImageData* image, const std::string& name) {
   writer->SetInputData(image);
   writer->Write();
   if (!errors.first().empty()) throw FileFailure(name + ": cannot be written (" + errors.first() + ")");
+}
+
+void writePicture(vtkImageData* image, const std::string& name) {
+  requireEnding(name, {"png", "jpg", "jpeg", "tif", "tiff"});
+  OutputFile file(name);
+  writePicture(image, file);
   file.commit();
 }
 

@@ -1,26 +1,27 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
-#include <iostream>
+#include <fstream>
+#include <list>
 #include <memory>
 
 #include "Arguments.h"
 #include "BoundaryCurveData.h"
 #include "Command.h"
+#include "CsvText.h"
 #include "FacePipeline.h"
 #include "FaceTexture.h"
 #include "FaceWarpLayout.h"
 #include "Failure.h"
 #include "ImageFile.h"
-#include "Interruption.h"
 #include "OutputFile.h"
 #include "PictureFile.h"
 #include "PipelineErrors.h"
-#include "ProgressLine.h"
 #include "TextFileReader.h"
 #include "WarpMeshData.h"
 #include "WarpMeshText.h"
+#include "WatchedUpdate.h"
 #include "vtkBoundaryCurveReader.h"
-#include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
 #include "vtkImageMeshWarpFilter.h"
 #include "vtkNew.h"
@@ -30,8 +31,6 @@
 namespace mien {
 
 namespace {
-
-constexpr int percent = 100;
 
 using Kind = FaceWarpLayout::Kind;
 
@@ -113,25 +112,29 @@ WarpMesh targetOf(const Options& options, const FaceCurves& face, const WarpMesh
   return textureMesh(layoutOn(face, kind), faceTextureWidth, faceTextureHeight);
 }
 
-/// Shows how far the filter is and stops it when the user wants that.
-class Watch {
- public:
-  explicit Watch(vtkImageMeshWarpFilter* filter) : progress_(percent, "percent") {
-    noteInterruptions();
-    command_->SetClientData(this);
-    command_->SetCallback([](vtkObject* caller, unsigned long, void* self, void* done) {
-      static_cast<Watch*>(self)->progress_.show(static_cast<int>(percent * *static_cast<double*>(done)));
-      if (wasInterrupted()) vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-    });
-    filter->AddObserver(vtkCommand::ProgressEvent, command_);
-  }
+/// Writes a mesh under the temporary name.
+void fill(const OutputFile& file, const WarpMesh& mesh) {
+  if (!(std::ofstream(file.temporaryName(), std::ios::binary) << writeWarpMesh(mesh) << std::flush))
+    throw FileFailure(file.name() + ": cannot be written; is there space left on the disk?");
+}
 
- private:
-  ProgressLine progress_;
-  vtkNew<vtkCallbackCommand> command_;
-};
+/// Of the picture that is written: from --size, else from the target mesh.
+std::pair<int, int> sizeOf(const Options& options, const WarpMesh& target) {
+  const double largest = vtkImageMeshWarpFilter::LargestSide;
+  const std::string allowed = "at most " + std::to_string(vtkImageMeshWarpFilter::LargestSide) + " pixels along a side";
+  if (options.size.empty() && std::max(target.width, target.height) > largest)
+    throw FileFailure(options.target + ": the mesh is for a picture of " + shortestText(target.width) + " x " +
+                      shortestText(target.height) + " pixels, and " + allowed + " can be written; give a --size");
+  if (options.size.empty()) return {static_cast<int>(target.width), static_cast<int>(target.height)};
+  const auto [width, height] = parseSize("--size", options.size);
+  if (std::max(width, height) > largest)
+    throw ValueFailure("--size " + std::to_string(width) + "x" + std::to_string(height) + " is too large; " + allowed +
+                       " are allowed");
+  return {width, height};
+}
 
-void warp(const Options& options, vtkImageData* image, const WarpMesh& source, const WarpMesh& target) {
+void warp(const Options& options, vtkImageData* image, const WarpMesh& source, const WarpMesh& target,
+          const OutputFile& output) {
   vtkNew<vtkStructuredGrid> from, to;
   writeWarpMesh(source, from);
   writeWarpMesh(target, to);
@@ -141,22 +144,12 @@ void warp(const Options& options, vtkImageData* image, const WarpMesh& source, c
   filter->SetInputData(image);
   filter->SetSourceMeshData(from);
   filter->SetTargetMeshData(to);
-  auto [width, height] = options.size.empty()
-                             ? std::pair(static_cast<int>(target.width), static_cast<int>(target.height))
-                             : parseSize("--size", options.size);
-  const int largest = vtkImageMeshWarpFilter::LargestSide;
-  if (width > largest || height > largest)
-    throw ValueFailure("--size " + std::to_string(width) + "x" + std::to_string(height) + " is too large; at most " +
-                       std::to_string(largest) + " pixels along a side are allowed");
+  const auto [width, height] = sizeOf(options, target);
   filter->SetOutputSize(width, height);
   filter->SetClosed(options.target.empty());
-  {
-    const Watch watch(filter);
-    filter->Update();
-  }
-  if (wasInterrupted()) throw Stopped("stopped; nothing was written");
+  updateWatched(filter, "picture");
   if (!errors.first().empty()) throw FileFailure(options.image + ": " + errors.first());
-  writePicture(filter->GetOutput(), options.output);
+  writePicture(filter->GetOutput(), output);
 }
 
 void run(const Options& options) {
@@ -169,9 +162,11 @@ void run(const Options& options) {
                               ? meshOfLandmarks(options, face, image)
                               : readMesh(options.source.empty() ? meshBeside(options.image) : options.source);
   const WarpMesh target = targetOf(options, face, source);
-  if (!options.output.empty()) warp(options, image, source, target);
-  if (!options.saveSource.empty()) OutputFile::write(options.saveSource, writeWarpMesh(source));
-  if (!options.saveTarget.empty()) OutputFile::write(options.saveTarget, writeWarpMesh(target));
+  std::list<OutputFile> files;  // all appear, or none
+  if (!options.saveSource.empty()) fill(files.emplace_back(options.saveSource), source);
+  if (!options.saveTarget.empty()) fill(files.emplace_back(options.saveTarget), target);
+  if (!options.output.empty()) warp(options, image, source, target, files.emplace_back(options.output));
+  for (OutputFile& file : files) file.commit();
 }
 
 }  // namespace

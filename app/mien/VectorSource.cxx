@@ -12,6 +12,7 @@
 #include "FaceNote.h"
 #include "FacePipeline.h"
 #include "Failure.h"
+#include "FrameOptions.h"
 #include "MeshFile.h"
 #include "MotionFieldData.h"
 #include "NumberText.h"
@@ -90,7 +91,7 @@ void VectorSource::addTo(CLI::App& command) {
                   ".fap file, or a surface file of the same topology")
       ->capture_default_str();
   command.add_option("--frames", frames_,
-                     "Several frames of the .fap file, numbers as written there, such as 100,120,125");
+                     "Several frames of the .fap file, numbers as written there, such as 100,120,125 or 100:110");
   command.add_flag("--remove-head-motion", removeHeadMotion_,
                    "Without the rotation of the head (FAPs 48 - 50); of surface files, without their rigid motion");
   options_.addAll(command);
@@ -133,17 +134,21 @@ void VectorSource::refuseFaceOptions() const {
   }
 }
 
-std::vector<FaceState> VectorSource::states() const {
-  const FaceState state = options_.state();
+/// Of a series one for each frame, after the moved pipeline has read the animation.
+std::vector<FaceState> VectorSource::states() {
+  FaceState state = options_.state();
   if (!isSeries()) return {state};
+  motion_->setStates(state, FaceMotion::neutralOf(state));
+  checkOrThrow(motion_->moved());
+  const FAPSequence& sequence = motion_->moved().frames()->GetSequence();
   std::vector<FaceState> states;
-  for (const std::string& number : splitText(frames_, ',')) {
+  for (const size_t index : frameIndices("--frames", frames_, sequence)) {
+    state.frameChoice = FaceState::FrameChoice::Number;
+    state.frame = sequence.frames[index].number;
     states.push_back(state);
-    states.back().frameChoice = FaceState::FrameChoice::Number;
-    states.back().frame = parseNumber("--frames", number);
   }
   if (states.size() > mostFrames)
-    throw ValueFailure("--frames has " + std::to_string(states.size()) + " numbers; at most " +
+    throw ValueFailure("--frames has " + std::to_string(states.size()) + " frames; at most " +
                        std::to_string(mostFrames) + " are drawn");
   return states;
 }

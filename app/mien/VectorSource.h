@@ -58,7 +58,7 @@ class VectorSource {
   enum class Against { Neutral, Previous, Frame, Mesh };
   void check() const;
   Against kind() const;
-  std::vector<FaceState> states() const;
+  std::vector<FaceState> states();
   VectorMoment faceMoment(const FaceState& state);
   VectorMoment againstMesh(const FaceState& state, const PicturePlane& plane);
   vtkSmartPointer<vtkPointSet> movedLike(vtkPointSet* origin);

@@ -8,6 +8,7 @@
 #include "Failure.h"
 #include "FigureApplication.h"
 #include "FigureFile.h"
+#include "FrameName.h"
 #include "MotionTableText.h"
 #include "MotionVectorFigure.h"
 #include "MotionWords.h"
@@ -25,8 +26,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-const std::string placeholder = "{frame}";
-
 struct Options {
   VectorSource source;
   VectorDrawing drawing;
@@ -34,16 +33,6 @@ struct Options {
   bool printJson = false;
   const CLI::App* command = nullptr;
 };
-
-bool isOneForEach(const std::string& name) {
-  return name.find(placeholder) != std::string::npos;
-}
-
-std::string nameFor(std::string name, const std::string& frame) {
-  for (size_t at = name.find(placeholder); at != std::string::npos; at = name.find(placeholder, at + frame.size()))
-    name.replace(at, placeholder.size(), frame);
-  return name;
-}
 
 /// Fields of one run and what of them is wanted.
 class VectorReport {
@@ -82,8 +71,8 @@ class VectorReport {
   }
 
   void write(const std::string& name) const {
-    if (isOneForEach(name))
-      for (size_t i = 0; i < moments_.size(); ++i) writeOne(nameFor(name, moments_[i].frame), i);
+    if (isNumberedByFrame(name))
+      for (size_t i = 0; i < moments_.size(); ++i) writeOne(nameForFrame(name, moments_[i].frame), i);
     else if (FigureOptions::isFigure(name))
       writeFigure(*figure_, name, writeFaceState(moments_.front().state));
     else if (fileEnding(name) == "csv")
@@ -134,7 +123,7 @@ class VectorReport {
                   {"view", options_.drawing.view()},
                   {"sampling", figure_->sampling().text()},
                   {"scale_mm_motion_per_mm_arrow", figure_->scale()},
-                  {"range_mm", {figure_->rangeBegin(), figure_->rangeEnd()}},
+                  {"range_mm", figure_->lacksTowards() ? json() : json{figure_->rangeBegin(), figure_->rangeEnd()}},
                   {"reference_arrow_mm", figure_->reference()}};
     if (!drawing_.picture.region.isWhole()) about["region"] = drawing_.picture.region.name;
     for (size_t i = 0; i < moments_.size(); ++i) about["fields"].push_back(summary(i));
@@ -156,6 +145,7 @@ class VectorReport {
 
   /// The largest vector may be hidden, or not be sampled.
   std::string colorText() const {
+    if (figure_->lacksTowards()) return "no motion towards the viewer, all arrows have one colour";
     double largest = 0.0;
     for (size_t i = 0; i < moments_.size(); ++i)
       for (const int row : chosen_[i]) largest = std::max(largest, moments_[i].field.vectors.row(row).norm());
@@ -180,10 +170,10 @@ void checkOutputs(const Options& options) {
   known.insert(known.end(), {"csv", "vtp"});
   for (const std::string& name : options.outputs) {
     requireEnding(name, known);
-    if (isOneForEach(name) && !options.source.isSeries())
-      throw ValueFailure("output '" + name + "' has " + placeholder + " in its name, which --frames fills in");
-    if (options.source.isSeries() && !isOneForEach(name) && fileEnding(name) == "vtp")
-      throw ValueFailure("output '" + name + "' can hold one frame only; name it " + placeholder +
+    if (isNumberedByFrame(name) && !options.source.isSeries())
+      throw ValueFailure("output '" + name + "' has " + framePlaceholder + " in its name, which --frames fills in");
+    if (options.source.isSeries() && !isNumberedByFrame(name) && fileEnding(name) == "vtp")
+      throw ValueFailure("output '" + name + "' can hold one frame only; name it " + framePlaceholder +
                          ".vtp, one file for each");
     const OutputFile writable(name);  // known before a long computation, not after
   }

@@ -1,9 +1,12 @@
 #include "Acquire.h"
 
-#include <fstream>
+#include <memory>
+#include <utility>
 
 #include "FilterProgress.h"
 #include "PipelineErrors.h"
+#include "WholeFile.h"
+#include "XMLPolyDataFile.h"
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 #include "vtkBoundaryCurveMeanFilter.h"
 #include "vtkNew.h"
@@ -13,7 +16,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceDistanceFilter.h"
 #include "vtkTable.h"
-#include "vtkXMLPolyDataWriter.h"
 
 namespace mien {
 
@@ -71,23 +73,26 @@ std::string measure(const AcquireOptions& options, vtkBoundaryCurveAcquisitionFi
   return fault.empty() || namesLandmarks ? fault : result.scan + ": " + fault;
 }
 
-std::string writePolyData(vtkPolyData* data, const std::string& file) {
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  PipelineErrors errors;
-  errors.observe(writer);
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(data);
-  writer->SetDataModeToBinary();
-  writer->SetCompressorTypeToNone();
-  const bool written = writer->Write() == 1 && errors.first().empty() && writer->GetErrorCode() == 0;
-  return written ? std::string() : file + ": the file cannot be written there; check folder and rights";
-}
+/// Files that appear together: all of them are filled before the first is given its name.
+class Files {
+ public:
+  template <class Fill>
+  void add(const std::string& name, Fill fill) {
+    if (name.empty() || !fault_.empty()) return;
+    files_.emplace_back(name, std::make_unique<WholeFile>(name));
+    if (!fill(*files_.back().second)) fault_ = name + ": " + WholeFile::unwritable;
+  }
 
-std::string writeText(const std::string& text, const std::string& file) {
-  std::ofstream stream(file, std::ios::binary);
-  return stream << text && stream.flush() ? std::string()
-                                          : file + ": the file cannot be written there; check folder and rights";
-}
+  std::string commit() {
+    for (auto& [name, file] : files_)
+      if (fault_.empty() && !file->commit()) fault_ = name + ": " + WholeFile::unwritable;
+    return fault_;
+  }
+
+ private:
+  std::vector<std::pair<std::string, std::unique_ptr<WholeFile>>> files_;
+  std::string fault_;
+};
 
 /// The curves of all scans and, with them, what else is to be written.
 class Measurements {
@@ -117,11 +122,14 @@ class Measurements {
       this->Curves = this->Mean->GetOutput();
       this->Landmarks = symmetrised(this->Landmarks);
     }
-    std::string fault = this->Options.landmarkOutput.empty()
-                            ? ""
-                            : writeText(landmarkText(this->Landmarks), this->Options.landmarkOutput);
-    if (fault.empty() && !this->Options.scanOutput.empty()) fault = writePolyData(this->Scan, this->Options.scanOutput);
-    return fault.empty() ? writePolyData(this->Curves, this->Options.outputFile) : fault;
+    Files files;
+    files.add(this->Options.landmarkOutput,
+              [this](const WholeFile& file) { return file.fill(landmarkText(this->Landmarks)); });
+    files.add(this->Options.scanOutput,
+              [this](const WholeFile& file) { return fillPolyData(this->Scan, file.temporaryName()); });
+    files.add(this->Options.outputFile,
+              [this](const WholeFile& file) { return fillPolyData(this->Curves, file.temporaryName()); });
+    return files.commit();
   }
 
  private:

@@ -10,6 +10,7 @@
 #include "CurveModes.h"
 #include "FaceBand.h"
 #include "FaceSample.h"
+#include "MeshCleaning.h"
 #include "MeshCode.h"
 #include "MeshData.h"
 #include "MeshSeries.h"
@@ -39,6 +40,7 @@ Way distancesOf(const SurfaceSamples& samples, const SurfaceDistance& distance) 
   vtkSMPTools::For(0, static_cast<vtkIdType>(distances.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i) distances[i] = distance(samples.points[i].data(), false);
   });
+  if (distances.empty()) return {undefined, undefined};
   Way way;
   double squared = 0.0, area = 0.0;
   for (std::size_t i = 0; i < distances.size(); ++i) {
@@ -77,26 +79,12 @@ TriangleMesh meshOf(const FaceSample& sample) {
 
 /// Triangles that reach into the part of the head that the face covers, on the vertices they use.
 TriangleMesh coveredPart(const TriangleMesh& scan, const FaceBand& band) {
-  TriangleMesh part;
-  std::vector<int> number(scan.vertices.rows(), -1);
-  std::vector<int> kept, used;
+  std::vector<Eigen::Vector3i> kept;
   for (int t = 0; t < scan.triangles.rows(); ++t) {
     const auto reaches = [&](int corner) { return band.contains(scan.vertices.row(scan.triangles(t, corner)), 0.0); };
-    if (reaches(0) || reaches(1) || reaches(2)) kept.push_back(t);
+    if (reaches(0) || reaches(1) || reaches(2)) kept.emplace_back(scan.triangles.row(t));
   }
-  part.triangles.resize(static_cast<int>(kept.size()), 3);
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    for (int corner = 0; corner < 3; ++corner) {
-      const int vertex = scan.triangles(kept[i], corner);
-      if (number[vertex] < 0) {
-        number[vertex] = static_cast<int>(used.size());
-        used.push_back(vertex);
-      }
-      part.triangles(static_cast<int>(i), corner) = number[vertex];
-    }
-  part.vertices.resize(static_cast<int>(used.size()), 3);
-  for (std::size_t i = 0; i < used.size(); ++i) part.vertices.row(static_cast<int>(i)) = scan.vertices.row(used[i]);
-  return part;
+  return withTriangles(scan.vertices, kept);
 }
 
 /// A mesh that distances are measured to.
@@ -159,6 +147,7 @@ class Comparison {
     const SurfaceSamples front(mesh, options_.spacing, [this](const Eigen::Vector3d& p) { return counts(p); });
     const DistanceTo toMesh(mesh);
     const Way there = distancesOf(front, *toScan_), back = distancesOf(scanFront_, *toMesh);
+    if (front.points.empty()) record.detail += ", nothing of it where distances count";
     record.rms = there.rms;
     record.maximum = there.maximum;
     record.backRMS = back.rms;
@@ -294,6 +283,10 @@ class Comparison {
 
 std::string describeFault(const DetailOptions& options) {
   if (options.tolerances.empty()) return "there is no tolerance; give at least one, such as 0.1 mm";
+  for (const double tolerance : options.tolerances)
+    if (!(tolerance >= CompactFaceLimits::finest && tolerance <= CompactFaceLimits::coarsest))
+      return "a tolerance of " + numberText(tolerance) + " mm is not allowed; give " +
+             numberText(CompactFaceLimits::finest) + " to " + numberText(CompactFaceLimits::coarsest) + " mm";
   if (!(options.spacing >= 0.1 && options.spacing <= 20.0))
     return "a spacing of " + numberText(options.spacing) + " mm is not allowed; give 0.1 to 20 mm";
   return {};

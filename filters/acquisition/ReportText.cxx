@@ -18,6 +18,7 @@ std::string line(const char* format, Values... values) {
 std::string landmarkLine(const ScanReport& r) {
   std::string text = r.landmarksGiven ? "  landmarks  given" : "  landmarks  fitted";
   if (r.completedLandmarks > 0) text += line(", %d of 68 completed from the generic face", r.completedLandmarks);
+  if (r.landmarksGiven) text += line(", %.2f mm (median) off the scan", r.landmarkDepth);
   if (r.fitted && r.landmarksGiven)
     text += line("; fitted ones lie %.2f mm RMS from them, at most %.2f", r.landmarkRMS, r.landmarkMaximum);
   return text + "\n";

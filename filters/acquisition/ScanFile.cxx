@@ -30,7 +30,9 @@ std::string describeHeaderFault(const std::string& file) {
   if (endingOf(file) == ".ply" && start.find("end_header") == std::string::npos)
     return "the header has no end; the file is damaged, export the scan again";  // OpenMesh would search for minutes
   if (promisesTooMuch(start, endingOf(file), vtksys::SystemTools::FileLength(file)))
-    return "the header promises more vertices or faces than the file holds; it is damaged, export the scan again";
+    return "the header promises more vertices or faces than the file holds, or fewer than none; it is damaged, export "
+           "the "
+           "scan again";
   return {};
 }
 

@@ -14,11 +14,11 @@ std::istringstream classicStream(const std::string& text) {
   return stream;
 }
 
-/// A count that is no number is left for the reader to refuse.
-bool exceeds(std::istream& stream, std::uintmax_t size) {
+/// A negative count would wrap into a large one; one that is no number is left for the reader to refuse.
+bool isUnsound(std::istream& stream, std::uintmax_t size) {
   double count = 0.0;
   stream >> count;
-  return count > static_cast<double>(size);
+  return count < 0.0 || count > static_cast<double>(size);
 }
 
 /// Lines such as "element vertex 14388".
@@ -28,7 +28,7 @@ bool plyPromisesTooMuch(const std::string& start, std::uintmax_t size) {
     std::istringstream words = classicStream(line);
     std::string keyword, name;
     words >> keyword;
-    if (keyword == "element" && words >> name && exceeds(words, size)) return true;
+    if (keyword == "element" && words >> name && isUnsound(words, size)) return true;
   }
   return false;
 }
@@ -47,10 +47,10 @@ bool offPromisesTooMuch(const std::string& start, std::uintmax_t size) {
     return littleEndianWord(start, lineEnd + 1) > size || littleEndianWord(start, lineEnd + 5) > size;
   std::istringstream lines = classicStream(start);
   for (std::string line; std::getline(lines, line);) {
-    const std::size_t number = line.find_first_of("0123456789");
+    const std::size_t number = line.find_first_of("-0123456789");
     if (line.rfind('#', 0) == 0 || number == std::string::npos) continue;
     std::istringstream counts = classicStream(line.substr(number));
-    return exceeds(counts, size) || exceeds(counts, size);
+    return isUnsound(counts, size) || isUnsound(counts, size);
   }
   return false;
 }

@@ -5,8 +5,8 @@
 
 namespace mien {
 
-/// Whether a scan's header promises more vertices or faces than its file can hold, which OpenMesh would allocate
-/// unseen.
+/// Whether a scan's header promises more vertices or faces than its file can hold, or fewer than none, which OpenMesh
+/// would allocate unseen.
 ///
 /// @param start   the first bytes of the file, header included
 /// @param ending  ".ply", ".off" or ".stl" (".obj" has no header)

@@ -6,9 +6,10 @@
 #include "BoundaryCurveData.h"
 #include "LandmarkTable.h"
 #include "MeshData.h"
+#include "MeshSeries.h"
 #include "ReferenceFace.h"
 #include "ScanAcquisition.h"
-#include "ScanDecimation.h"
+#include "SurfaceMesh.h"
 #include "TextFileReader.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -81,7 +82,13 @@ std::string vtkBoundaryCurveAcquisitionFilter::Measure(vtkPolyData* scan) {
   if (fault.empty()) fault = mien::placeLandmarks(table, mesh, landmarks);
   if (!fault.empty()) return fault;
   mien::CleanMesh clean = mien::cleaned(mesh);
-  if (this->Triangles > 0) mien::decimate(clean.mesh, this->Triangles);
+  const mien::Progress progress = [this](double done) {
+    this->UpdateProgress(done);
+    return this->GetAbortExecute() == 0;
+  };
+  const double decimated = this->Triangles > 0 ? 0.3 : 0.0;
+  if (this->Triangles > 0 && !mien::decimate(clean.mesh, this->Triangles, mien::partOf(progress, 0.0, decimated)))
+    return "stopped before the curves were measured";
   mien::ScanSettings settings;
   settings.millimetres = this->Scale;
   settings.pose = static_cast<mien::ScanSettings::Pose>(this->Pose);
@@ -89,17 +96,21 @@ std::string vtkBoundaryCurveAcquisitionFilter::Measure(vtkPolyData* scan) {
   settings.compareLandmarks = this->CompareLandmarks;
   settings.pointsPerCurve = this->PointsPerCurve;
   return mien::acquireScan(clean, table.given, landmarks, mien::referenceTemplate(), settings, *this->Acquired,
-                           [this](double done) {
-                             this->UpdateProgress(done);
-                             return this->GetAbortExecute() == 0;
-                           });
+                           mien::partOf(progress, decimated, 1.0));
+}
+
+/// The whole scan, whatever piece of the curves is wanted.
+int vtkBoundaryCurveAcquisitionFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                                                           vtkInformationVector*) {
+  mien::requestWhole(inputs[0]->GetInformationObject(0));
+  return 1;
 }
 
 int vtkBoundaryCurveAcquisitionFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                                    vtkInformationVector* outputs) {
   *this->Acquired = mien::AcquiredScan();
   const std::string fault = this->Measure(vtkPolyData::GetData(inputs[0]));
-  if (this->GetAbortExecute()) return 0;
+  if (this->GetAbortExecute()) return 1;
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;

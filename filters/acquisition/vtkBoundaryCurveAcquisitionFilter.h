@@ -91,6 +91,7 @@ class MIENACQUISITION_EXPORT vtkBoundaryCurveAcquisitionFilter : public vtkPolyD
  protected:
   vtkBoundaryCurveAcquisitionFilter();
   ~vtkBoundaryCurveAcquisitionFilter() override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

@@ -2,6 +2,7 @@
 
 #include "BoundaryCurveData.h"
 #include "FaceAcquisition.h"
+#include "SurfaceMesh.h"
 #include "vtkAlgorithm.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -30,6 +31,14 @@ vtkBoundaryCurveMeanFilter::~vtkBoundaryCurveMeanFilter() = default;
 int vtkBoundaryCurveMeanFilter::FillInputPortInformation(int port, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   return this->Superclass::FillInputPortInformation(port, info);
+}
+
+/// Whole curves, whatever piece of the mean is wanted.
+int vtkBoundaryCurveMeanFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs,
+                                                    vtkInformationVector*) {
+  for (int i = 0; i < inputs[0]->GetNumberOfInformationObjects(); ++i)
+    mien::requestWhole(inputs[0]->GetInformationObject(i));
+  return 1;
 }
 
 int vtkBoundaryCurveMeanFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,

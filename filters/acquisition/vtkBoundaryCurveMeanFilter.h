@@ -31,6 +31,7 @@ class MIENACQUISITION_EXPORT vtkBoundaryCurveMeanFilter : public vtkPolyDataAlgo
   vtkBoundaryCurveMeanFilter();
   ~vtkBoundaryCurveMeanFilter() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

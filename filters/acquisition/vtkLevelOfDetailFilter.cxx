@@ -5,6 +5,7 @@
 #include "FaceCurves.h"
 #include "LevelsOfDetail.h"
 #include "MeshData.h"
+#include "SurfaceMesh.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -12,7 +13,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -76,10 +76,7 @@ int vtkLevelOfDetailFilter::FillOutputPortInformation(int, vtkInformation* info)
 /// Whole curves and the whole scan, whatever piece of the table is wanted.
 int vtkLevelOfDetailFilter::RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputs,
                                                 vtkInformationVector* outputs) {
-  vtkInformation* scan = inputs[1]->GetInformationObject(0);
-  scan->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
-  scan->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  scan->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  mien::requestWhole(inputs[1]->GetInformationObject(0));
   return this->Superclass::RequestUpdateExtent(request, inputs, outputs);
 }
 

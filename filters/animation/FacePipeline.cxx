@@ -50,12 +50,14 @@ double shareOf(const std::map<std::string, double>& shapes, const std::string& n
 /// Which of the shapes chosen is none of those there are, or nothing.
 std::string describeUnknown(const std::string& kind, const std::map<std::string, double>& chosen,
                             const std::vector<std::string>& names) {
+  const auto isUnknown = [&](const auto& shape) {
+    return std::find(names.begin(), names.end(), shape.first) == names.end();
+  };
+  const auto unknown = std::find_if(chosen.begin(), chosen.end(), isUnknown);
+  if (unknown == chosen.end()) return {};
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  for (const auto& shape : chosen)
-    if (std::find(names.begin(), names.end(), shape.first) == names.end())
-      return "there is no " + kind + " '" + shape.first + "'; there are " + all;
-  return {};
+  return "there is no " + kind + " '" + unknown->first + "'; there are " + all;
 }
 
 }  // namespace
@@ -204,14 +206,19 @@ struct FacePipeline::Internals {
     return fault.empty() ? this->chooseFrame() : fault;
   }
 
-  std::string update(vtkAlgorithm* algorithm) {
+  /// Inputs are read and checked once, whatever is asked for.
+  std::string update(std::initializer_list<vtkAlgorithm*> wanted) {
     std::string fault = this->readInputs();
     if (fault.empty()) fault = this->describeValueFault();
     if (!fault.empty()) return fault;
-    if (frames->GetFrameIndex() < 0 && !state.fapFile.empty())
-      algorithm->UpdateTimeStep(state.frame);
-    else
-      algorithm->Update();
+    const bool byTime = frames->GetFrameIndex() < 0 && !state.fapFile.empty();
+    for (vtkAlgorithm* algorithm : wanted) {
+      if (!errors.first().empty()) break;
+      if (byTime)
+        algorithm->UpdateTimeStep(state.frame);
+      else
+        algorithm->Update();
+    }
     return this->afterUpdate();
   }
 };
@@ -281,16 +288,15 @@ int FacePipeline::pointsPerCurve() const {
 }
 
 std::string FacePipeline::updateCurves() {
-  return this->Impl->update(this->Impl->shownCurves);
+  return this->Impl->update({this->Impl->shownCurves});
 }
 
 std::string FacePipeline::updateGrid() {
-  return this->Impl->update(this->Impl->skin);
+  return this->Impl->update({this->Impl->skin});
 }
 
 std::string FacePipeline::update() {
-  const std::string fault = this->Impl->update(this->Impl->surface);
-  return fault.empty() ? this->Impl->update(this->Impl->shownCurves) : fault;
+  return this->Impl->update({this->Impl->surface, this->Impl->shownCurves});
 }
 
 }  // namespace mien

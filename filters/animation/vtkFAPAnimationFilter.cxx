@@ -165,12 +165,14 @@ void vtkFAPAnimationFilter::ClearVisemes() {
   this->Superclass::Modified();
 }
 
-std::vector<std::string> vtkFAPAnimationFilter::GetVisemeNames() {
-  return namesOf(mien::defaultVisemes());
+const std::vector<std::string>& vtkFAPAnimationFilter::GetVisemeNames() {
+  static const std::vector<std::string> names = namesOf(mien::defaultVisemes());
+  return names;
 }
 
-std::vector<std::string> vtkFAPAnimationFilter::GetExpressionNames() {
-  return namesOf(mien::defaultExpressions());
+const std::vector<std::string>& vtkFAPAnimationFilter::GetExpressionNames() {
+  static const std::vector<std::string> names = namesOf(mien::defaultExpressions());
+  return names;
 }
 
 std::string vtkFAPAnimationFilter::GetExpressionDefinition(const std::string& name) {

@@ -67,10 +67,10 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   ///@}
 
   /** "p b m", "f v", .. "U": those that FAP 1 selects by 1 .. 14, in this order. */
-  static std::vector<std::string> GetVisemeNames();
+  static const std::vector<std::string>& GetVisemeNames();
 
   /** "joy", "sadness", "anger", "fear", "disgust", "surprise". */
-  static std::vector<std::string> GetExpressionNames();
+  static const std::vector<std::string>& GetExpressionNames();
 
   /** What the expression looks like, in words; empty for a name that is none. */
   static std::string GetExpressionDefinition(const std::string& name);

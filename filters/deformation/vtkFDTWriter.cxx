@@ -1,39 +1,14 @@
 #include "vtkFDTWriter.h"
 
-#include <filesystem>
-#include <system_error>
-#include <vtksys/FStream.hxx>
-
 #include "FDTData.h"
 #include "PackedTable.h"
 #include "TableText.h"
+#include "WholeFile.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
 vtkStandardNewMacro(vtkFDTWriter);
-
-namespace {
-
-/// Writes under a temporary name beside the file and renames it, so that what was there is replaced whole or not at
-/// all.
-/// @return nothing, or what is wrong
-std::string writeWhole(const std::string& name, const std::string& bytes) {
-  const std::string temporary = name + ".part";
-  std::error_code fault;
-  {
-    vtksys::ofstream file(temporary.c_str(), std::ios::binary);
-    file << bytes << std::flush;
-    if (!file) fault = std::make_error_code(std::errc::io_error);
-  }
-  if (!fault) std::filesystem::rename(temporary, name, fault);
-  if (!fault) return {};
-  std::error_code ignored;
-  std::filesystem::remove(temporary, ignored);
-  return "it cannot be written; give a file in a folder that exists and may be written to";
-}
-
-}  // namespace
 
 vtkFDTWriter::~vtkFDTWriter() {
   this->SetFileName(nullptr);
@@ -62,8 +37,8 @@ void vtkFDTWriter::WriteData() {
   }
   fault = this->Bits == 0 ? "" : mien::describePacking(table, this->Bits);
   if (fault.empty())
-    fault =
-        writeWhole(name, this->Bits == 0 ? mien::writeTable(table, this->Comment) : mien::packTable(table, this->Bits));
+    fault = mien::WholeFile::write(
+        name, this->Bits == 0 ? mien::writeTable(table, this->Comment) : mien::packTable(table, this->Bits));
   if (!fault.empty()) vtkErrorMacro(<< name << ": " << fault);
 }
 

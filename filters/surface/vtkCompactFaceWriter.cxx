@@ -1,9 +1,8 @@
 #include "vtkCompactFaceWriter.h"
 
-#include <vtksys/FStream.hxx>
-
 #include "BoundaryCurveData.h"
 #include "CompactFace.h"
+#include "WholeFile.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -35,15 +34,13 @@ std::string vtkCompactFaceWriter::Encode(std::string& bytes) {
 void vtkCompactFaceWriter::WriteData() {
   const std::string name = this->FileName ? this->FileName : "";
   std::string bytes;
-  const std::string fault = this->Encode(bytes);
+  std::string fault = this->Encode(bytes);
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return;
   }
-  vtksys::ofstream file(name.c_str(), std::ios::binary);
-  file << bytes << std::flush;
-  if (!file)
-    vtkErrorMacro(<< name << ": it cannot be written; give a file in a folder that exists and may be written to");
+  fault = mien::WholeFile::write(name, bytes);
+  if (!fault.empty()) vtkErrorMacro(<< name << ": " << fault);
 }
 
 void vtkCompactFaceWriter::PrintSelf(ostream& os, vtkIndent indent) {

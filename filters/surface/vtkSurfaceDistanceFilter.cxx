@@ -49,23 +49,21 @@ void fillTable(const std::array<mien::DistanceSummary, 2>& summaries, vtkTable* 
   directions->SetName("direction");
   vtkNew<vtkLongLongArray> points;
   points->SetName("points");
-  const auto rms = column("rms_mm"), mean = column("mean_mm"), maximum = column("max_mm"), area = column("area_mm2");
-  const auto median = column("median_mm"), percentile95 = column("p95_mm");
+  const auto rms = column("rms_mm"), mean = column("mean_mm"), median = column("median_mm");
+  const auto percentile95 = column("p95_mm"), maximum = column("max_mm"), area = column("area_mm2");
   for (int i = 0; i < 2; ++i) {
     directions->InsertNextValue(directionNames[i]);
     rms->InsertNextValue(summaries[i].rms);
     mean->InsertNextValue(summaries[i].mean);
+    median->InsertNextValue(summaries[i].median);
+    percentile95->InsertNextValue(summaries[i].percentile95);
     maximum->InsertNextValue(summaries[i].maximum);
     area->InsertNextValue(summaries[i].area);
     points->InsertNextValue(summaries[i].points);
-    median->InsertNextValue(summaries[i].median);
-    percentile95->InsertNextValue(summaries[i].percentile95);
   }
   table->AddColumn(directions);
-  for (const auto& array : {rms, mean, maximum, area}) table->AddColumn(array);
+  for (const auto& array : {rms, mean, median, percentile95, maximum, area}) table->AddColumn(array);
   table->AddColumn(points);
-  table->AddColumn(median);
-  table->AddColumn(percentile95);
 }
 
 void fillOutput(const Side& side, vtkPolyData* output) {

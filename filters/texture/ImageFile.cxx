@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "PipelineErrors.h"
+#include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImageFlip.h"
 #include "vtkImageReader2.h"
@@ -24,8 +25,10 @@ namespace mien {
 
 namespace {
 
-constexpr int largestSide = 32768;           // pixels
-constexpr std::int64_t largestRatio = 2000;  // of bytes in memory to bytes in the file; zlib reaches 1032, JPEG 512
+constexpr int largestSide = 32768;  // pixels
+// Bytes in memory to bytes in the file: zlib reaches 1032, JPEG 512, and a bit becomes a byte. Fax codes reach more,
+// therefore pages of usual size are always believed.
+constexpr std::int64_t largestRatio = 8 * 1100, alwaysBelieved = 64 << 20;
 
 constexpr const char* damaged = "it is damaged or cut off";
 
@@ -42,12 +45,14 @@ vtkSmartPointer<vtkImageReader2> readerFor(const std::string& name) {
 }
 
 /// A head that promises more than the file can hold is not believed, before memory is taken for it.
-std::string describeSizeFault(std::int64_t width, std::int64_t height, std::int64_t bytes) {
+/// @param pixelBytes  of one pixel in memory
+std::string describeSizeFault(std::int64_t width, std::int64_t height, std::int64_t pixelBytes, std::int64_t bytes) {
   const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
   if (width < 1 || height < 1) return "there is no picture in it";
   if (width > largestSide || height > largestSide)
     return "it has " + size + "; at most " + std::to_string(largestSide) + " along a side are read";
-  if (width * height > largestRatio * bytes) return "it is too short for its " + size + "; it is damaged or cut off";
+  if (width * height * pixelBytes > std::max(alwaysBelieved, largestRatio * bytes))
+    return "it is too short for its " + size + "; it is damaged or cut off";
   return {};
 }
 
@@ -56,7 +61,7 @@ std::string describePNGFault(const std::string& name, std::int64_t bytes) {
   png_image head{};
   head.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_file(&head, name.c_str()) == 0) return damaged;
-  const std::string fault = describeSizeFault(head.width, head.height, bytes);
+  const std::string fault = describeSizeFault(head.width, head.height, PNG_IMAGE_PIXEL_SIZE(head.format), bytes);
   bool sound = fault.empty();
   if (sound) {
     std::vector<png_byte> pixels(PNG_IMAGE_SIZE(head));
@@ -75,7 +80,11 @@ std::string describeHeadFault(vtkImageReader2* reader, const std::string& name, 
   reader->UpdateInformation();
   if (!errors.first().empty()) return damaged;
   const int* extent = reader->GetDataExtent();
-  return describeSizeFault(std::int64_t(extent[1]) - extent[0] + 1, std::int64_t(extent[3]) - extent[2] + 1, bytes);
+  if (extent[5] > extent[4]) return "it has several pages; save the one with the face as a file of its own";
+  const std::int64_t pixelBytes =
+      reader->GetNumberOfScalarComponents() * vtkDataArray::GetDataTypeSize(reader->GetDataScalarType());
+  return describeSizeFault(std::int64_t(extent[1]) - extent[0] + 1, std::int64_t(extent[3]) - extent[2] + 1, pixelBytes,
+                           bytes);
 }
 
 std::string read(const std::string& name, vtkImageData* image) {

@@ -62,6 +62,16 @@ TEST(AnimateCommand, SurfaceSeriesNamesItsFilesAndTimes) {
   EXPECT_GT(reader->GetOutput()->GetNumberOfCells(), 28 * 19);
 }
 
+TEST(AnimateCommand, ARangePastTheEndsOfTheFileIsRefused) {
+  const TemporaryFolder folder;
+  for (const char* range : {"290:310", "-5:2", "3,299:301"}) {
+    const Outcome outcome = animate({demo, std::string("--frames=") + range, "-o", folder.file("a.pvd")});
+    EXPECT_EQ(outcome.exitCode, 2) << range;
+    EXPECT_NE(outcome.errors.find("run from 0 to 300"), std::string::npos) << outcome.errors;
+  }
+  EXPECT_EQ(animate({demo, "--frames", "299:", "-o", folder.file("a.pvd")}).exitCode, 0);
+}
+
 TEST(AnimateCommand, SeriesAreGridsUnlessPolygonsAreAskedFor) {
   const TemporaryFolder folder;
   ASSERT_EQ(animate({demo, "--frames", "0:1", "-o", folder.file("a.pvd")}).exitCode, 0);

@@ -79,6 +79,17 @@ TEST(AnimateCommand, AnInterruptedLiveFilmIsClosedWithWhatCame) {
   EXPECT_LE(secondsOfFilm(bytes), 20.0 / 25.0 + 1e-9);
 }
 
+TEST(AnimateCommand, AnInterruptedLiveFilmHoldsAllThatHadCome) {
+  const TemporaryFolder folder;
+  const std::string film = folder.file("live.ogv");
+  Piped mien({"animate", "-", "-o", film, "--size", "480x400", "--resolution", "113x80"});
+  mien.send(demoLines(1, 122));
+  ASSERT_TRUE(filmBegins(folder, "live"));
+  mien.interrupt();  // long before 60 frames of that size are drawn
+  EXPECT_EQ(mien.end(), 130);
+  EXPECT_NEAR(secondsOfFilm(readTextFile(film)), 60.0 / 25.0, 1e-9);
+}
+
 /// Standard error of a run as a terminal of its own shows it.
 std::string onTerminal(std::vector<std::string> words) {
   const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -48,6 +49,28 @@ TEST(ConvertCommand, AnotherRateMixesFramesOrIsTheRateOfATableWithout) {
   EXPECT_NE(converted(folder, "take.csv", "take.fap", {"--fps", "50"}).find(" 50 11\n"), std::string::npos);
   writeTextFile(folder.file("plain.csv"), "FAP3\n0\n100\n0\n");
   EXPECT_NE(converted(folder, "plain.csv", "plain.fap", {"--fps", "50"}).find(" 50 3\n"), std::string::npos);
+}
+
+/// The longest word of a text that is a fraction.
+size_t longestFraction(const std::string& text) {
+  std::istringstream words(text);
+  size_t longest = 0;
+  for (std::string word; words >> word;)
+    if (const size_t dot = word.find('.');
+        dot != std::string::npos && word.find_first_not_of("-.0123456789") == word.npos)
+      longest = std::max(longest, word.size() - dot - 1);
+  return longest;
+}
+
+TEST(ConvertCommand, ComputedValuesAreRoundedAndReadOnesAreNot) {
+  const TemporaryFolder folder;
+  writeTextFile(folder.file("take.csv"), "time,EyeBlinkLeft,JawOpen,HeadYaw\n0,0.1,0.7,0.3\n0.1,0.333333,0.47,0.1\n");
+  const std::string computed = converted(folder, "take.csv", "take.fap");
+  EXPECT_GE(longestFraction(computed), 1u);
+  EXPECT_LE(longestFraction(computed), 6u) << computed;
+  EXPECT_LE(longestFraction(converted(folder, "take.fap", "mixed.fap", {"--fps", "17"})), 6u);
+  writeTextFile(folder.file("read.csv"), "frame,time,FAP3\n0,0,0.1234567891234\n1,0.04,2\n");
+  EXPECT_NE(converted(folder, "read.csv", "read.fap").find("0.1234567891234"), std::string::npos);
 }
 
 TEST(ConvertCommand, WhatIsLostIsSaid) {

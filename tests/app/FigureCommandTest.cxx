@@ -56,7 +56,9 @@ TEST(FigureCommand, EveryFigureOfTheCatalogueIsDrawnWithoutADisplay) {
     EXPECT_GT(countOf(svg, "<text"), 0) << id;
     EXPECT_NE(svg.find("mien figure " + id), std::string::npos) << id << " carries its command";
     EXPECT_NE(svg.find("mien_face_state"), std::string::npos) << id << " carries its face";
-    if (plain.count(id)) EXPECT_EQ(countOf(svg, "<image"), 0) << id << " is all paths and text";
+    if (plain.count(id)) {
+      EXPECT_EQ(countOf(svg, "<image"), 0) << id << " is all paths and text";
+    }
     EXPECT_NE(page.find("id=\"" + id + "\""), std::string::npos);
     EXPECT_NE(page.find("mien figure " + id), std::string::npos) << "the page shows the command of " << id;
   }
@@ -137,7 +139,7 @@ TEST(FigureCommand, WrongRequestsAreRefused) {
   expect({"pde-1", "-o", file, "--width", "5"}, 2, "--width");
   expect({"pde-1", "-o", file, "--width", "nan"}, 2, "--width");
   expect({"pde-2", "-o", file, "--dpi", "100000"}, 2, "--dpi");
-  expect({"pde-9", "-o", file, "--frames", "99999"}, 2, "has frames");
+  expect({"pde-9", "-o", file, "--frames", "99999"}, 2, "their numbers run from 0 to 300");
   expect({"pde-9", "-o", file, "--frames", "1,2,3,4,5,6,7,8,9"}, 2, "at most");
   expect({"--from", MIEN_DATA_DIR "/textures/painted.png", "-o", file}, 1, "painted.png");
   expect({"--all"}, 2, "folder");

@@ -13,8 +13,9 @@ using nlohmann::json;
 std::vector<std::string> lodOf(const std::string& head, const std::vector<std::string>& more) {
   std::vector<std::string> arguments = {"lod",          referencePath("heads/" + head),
                                         "--landmarks",  referencePath("heads/landmarks68.csv"),
-                                        "--points",     "12",
-                                        "--tolerances", "0.1mm,1"};
+                                        "--points",     "10",
+                                        "--spacing",    "6mm",
+                                        "--tolerances", "1"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
@@ -36,7 +37,7 @@ TEST(LodCommand, TellsBytesAndDistancesInEveryForm) {
   const auto face =
       std::find_if(levels.begin(), levels.end(), [](const json& row) { return row["representation"] == "PDE face"; });
   ASSERT_NE(face, levels.end());
-  EXPECT_EQ((*face)["bytes"], 29 * 12 * 12);
+  EXPECT_EQ((*face)["bytes"], 29 * 10 * 12);
   EXPECT_GT((*face)["hausdorff_mm"], (*face)["rms_mm"]);
   const std::string table = readTextFile(folder.file("a.csv")), figure = readTextFile(folder.file("a.svg"));
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + static_cast<long>(levels.size()));
@@ -49,10 +50,10 @@ TEST(LodCommand, TakesCurvesMeasuredBefore) {
   const TemporaryFolder folder;
   const std::string scan = referencePath("heads/subject01_neutral.ply"), curves = folder.file("c.vtp");
   ASSERT_EQ(
-      runMien({"acquire", scan, "--landmarks", referencePath("heads/landmarks68.csv"), "--points", "12", "-o", curves})
+      runMien({"acquire", scan, "--landmarks", referencePath("heads/landmarks68.csv"), "--points", "10", "-o", curves})
           .exitCode,
       0);
-  const Outcome outcome = runMien({"lod", scan, "--face", curves, "--tolerances", "1"});
+  const Outcome outcome = runMien({"lod", scan, "--face", curves, "--tolerances", "1", "--spacing", "8"});
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_NE(outcome.output.find("PDE face"), std::string::npos);
 }
@@ -62,5 +63,7 @@ TEST(LodCommand, WrongValuesAndFilesAreSaid) {
   EXPECT_EQ(runMien({"lod", folder.file("none.ply"), "--landmarks", "l.csv"}).exitCode, 1);
   EXPECT_EQ(runMien({"lod", folder.file("none.ply"), "--landmarks", "l.csv", "--tolerances", "0"}).exitCode, 2);
   EXPECT_EQ(runMien({"lod", folder.file("none.ply"), "--landmarks", "l.csv", "-o", "a.txt"}).exitCode, 2);
+  EXPECT_EQ(runMien({"lod", folder.file("none.ply"), "--spacing", "0"}).exitCode, 2);
+  EXPECT_EQ(runMien({"lod", folder.file("none.ply"), "--face", "f.vtp", "--units", "cm"}).exitCode, 2);
   EXPECT_EQ(runMien({"lod"}).exitCode, 2);
 }

@@ -92,6 +92,15 @@ TEST(TextureCommand, WrongFilesAndValuesAreRefused) {
   expect({painted}, 2, "nothing to write");
   expect({painted, "-o", folder.file("x.bmp")}, 2, ".bmp");
   expect({painted, "-o", output, "--size", "99999x5"}, 2, "32768");
+  mien::WarpMesh wide;
+  ASSERT_EQ(mien::parseWarpMesh(readTextFile(sevenBySeven), wide), "");
+  wide.x *= 40000.0 / wide.width;
+  wide.width = 40000.0;
+  const TemporaryFolder elsewhere;
+  writeTextFile(elsewhere.file("wide.csv"), mien::writeWarpMesh(wide));
+  expect({painted, "--target", elsewhere.file("wide.csv"), "--source", sevenBySeven, "-o", output}, 1,
+         "wide.csv: the mesh is for a picture of 40000 x");
+  expect({painted, "-o", output, "--save-target", "/no/such/folder/mesh.csv"}, 1, "/no/such/folder");
   expect({painted, "-o", output, "--mesh", "7x7"}, 2, "--landmarks");
   expect({painted, "-o", output, "--source", sevenBySeven, "--landmarks", "x.csv"}, 2, "give one");
   EXPECT_EQ(entriesIn(folder.file("")), 1);

@@ -292,4 +292,13 @@ TEST(VectorsCommand, WrongValuesSayWhatIsAllowed) {
   EXPECT_EQ(entriesIn(folder.file("")), 1);  // the animation only
 }
 
+TEST(VectorsCommand, NoMotionTowardsTheViewerIsSaid) {
+  const TemporaryFolder folder;
+  const std::string figure = folder.file("v.svg");
+  const Outcome outcome = runMien({"vectors", "--expression", "surprise", "--color", "towards", "-o", figure});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("no motion towards the viewer"), std::string::npos) << outcome.output;
+  EXPECT_NE(readTextFile(figure).find("No motion towards the viewer"), std::string::npos);
+}
+
 }  // namespace

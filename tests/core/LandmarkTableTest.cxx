@@ -58,6 +58,16 @@ TEST(LandmarkTable, ReadsColumnsInAnyOrder) {
   EXPECT_EQ(table.positions[1], Eigen::Vector3d(2.0, -30.0, 1.5));
 }
 
+TEST(LandmarkTable, AByteOrderMarkIsNoPartOfTheFirstColumn) {
+  LandmarkTable plain, marked;
+  const std::string file = landmarkFile("landmark,x,y,z", false, 4, "3,0,0,0");  // not in the order of the numbers
+  const std::string sound = landmarkFile("landmark,x,y,z", false);
+  ASSERT_EQ(parseLandmarks(sound, plain), "");
+  ASSERT_EQ(parseLandmarks("\xEF\xBB\xBF" + sound, marked), "");
+  EXPECT_EQ(marked.positions.points, plain.positions.points);
+  expectFault("\xEF\xBB\xBF" + file, "5: ", "landmark 3 is given twice");
+}
+
 TEST(LandmarkTable, RefusesAVertexTheMeshDoesNotHave) {
   LandmarkTable table;
   ASSERT_EQ(parseLandmarks(landmarkFile("landmark,vertex", true, 5, "3,99999999"), table), "");
@@ -75,7 +85,9 @@ TEST(LandmarkTable, NamesTheLineAtFault) {
   expectFault(landmarkFile(header, false, 4, "1,1,2,3"), "4: ", "twice");
   expectFault(landmarkFile(header, false, 4, "2,1,nan,3"), "4: ", "finite");
   expectFault(landmarkFile(header, false, 4, "2,1,inf,3"), "4: ", "finite");
-  expectFault(landmarkFile(header, false, 4, "2,1"), "4: ", "finite");
+  expectFault(landmarkFile(header, false, 4, "2,1"), "4: ", "2 cells under 4 columns");
+  expectFault(landmarkFile(header, false, 4, "2,1,2,3,4"), "4: ", "5 cells under 4 columns");
+  expectFault(landmarkFile("Landmark,x,y,z", false), "1: ", "'Landmark'");
   expectFault(landmarkFile(header, false, 4, "2,1,2x,3"), "4: ", "finite");
   expectFault(landmarkFile(header, false, 32, ""), "69: ", "landmark 30 (nose_tip) is missing");
   expectFault(landmarkFile("landmark,vertex", true, 9, "7,1.5"), "9: ", "no vertex number");

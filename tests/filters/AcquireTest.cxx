@@ -54,7 +54,7 @@ mien::FaceCurves readFace(const std::string& file) {
 
 TEST(Acquire, WritesTheMeanOfSeveralScans) {
   mien::AcquireOptions options;
-  options.scans = {writeScan("narrow.obj", 0.95), writeScan("wide.obj", 1.05)};
+  options.scans = {writeScan("narrow.obj", 0.98), writeScan("wide.obj", 1.02)};
   options.landmarkFile = writeLandmarks("landmarks.csv");
   options.outputFile = temporary("mean.vtp");
   options.mean = true;
@@ -99,4 +99,15 @@ TEST(Acquire, SaysWhenTheOutputCannotBeWritten) {
   options.landmarkFile = writeLandmarks("landmarks.csv");
   options.outputFile = "/no/such/folder/face.vtp";
   EXPECT_EQ(mien::acquire(options).rfind(options.outputFile + ": ", 0), 0u);
+}
+
+TEST(Acquire, WritesAllFilesOrNone) {
+  const TemporaryFolder folder;
+  mien::AcquireOptions options;
+  options.scans = {writeScan("head.obj", 1.0)};
+  options.landmarkFile = writeLandmarks("landmarks.csv");
+  options.landmarkOutput = folder.file("landmarks.csv");
+  options.outputFile = folder.file("none/face.vtp");
+  EXPECT_NE(mien::acquire(options), "");
+  EXPECT_TRUE(std::filesystem::is_empty(folder.file("")));
 }

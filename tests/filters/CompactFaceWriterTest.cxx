@@ -172,3 +172,17 @@ TEST(CompactFaceWriter, ATurnedHeadIsStoredInItsOwnFrame) {
   EXPECT_EQ(warnings, 1);
   EXPECT_LE(rmsBetween(readBack(folder.file("a.mienz")), genericFace()), 0.1);
 }
+
+TEST(CompactFaceWriter, AFileThatCannotGetItsNameLeavesNothingBehind) {
+  const TemporaryFolder folder;
+  const std::string name = folder.file("face.mienz");
+  std::filesystem::create_directory(name);
+  vtkNew<vtkBoundaryCurveReader> curves;
+  vtkNew<vtkCompactFaceWriter> writer;
+  ErrorCounter errors(writer);
+  writer->SetInputConnection(curves->GetOutputPort());
+  writer->SetFileName(name.c_str());
+  writer->Write();
+  EXPECT_NE(errors.first().find(name + ": it cannot be written"), std::string::npos) << errors.first();
+  EXPECT_FALSE(std::filesystem::exists(name + ".part"));
+}

@@ -193,9 +193,11 @@ TEST(FacePipeline, CurvesGoWhereTheTableTakesTheSurface) {
         nearest = std::min(nearest, (Eigen::Vector3d(pipeline.grid()->GetPoint(j)) - to).norm());
       worst = std::max(worst, nearest);
     }
+    RecordProperty(yaw == 0.0 ? "largest straight" : "largest turned", std::to_string(largest));
     EXPECT_GT(largest, 10.0) << "mm, the chin";
     RecordProperty(yaw == 0.0 ? "straight" : "turned", std::to_string(worst));
-    EXPECT_LT(worst, 6.0) << "half a cell of the mesh; without the table the chin would lie 10 mm beside it";
+    EXPECT_LT(worst, 1.5)
+        << "measured 0.8 mm, the mesh having rows on the curves; left behind, the chin's would lie 10 mm off";
   }
 }
 

@@ -174,6 +174,10 @@ TEST(FaceTexture, SaysWhichFileIsWrong) {
   state.textureMesh = folder.file("other.csv");
   EXPECT_EQ(fault(), "");
   EXPECT_EQ(texture->GetNumberOfScalarComponents(), 3) << "grey becomes red, green and blue";
+  vtkNew<vtkPolyData> noCurves;
+  EXPECT_EQ(makeFaceTexture(state, noCurves, texture).rfind("the generic face: ", 0), 0u);
+  state.curvesFile = "anna.vtp";
+  EXPECT_EQ(makeFaceTexture(state, noCurves, texture).rfind("anna.vtp: ", 0), 0u) << "not the mesh's name";
 }
 
 TEST(ImageFile, ReadsTheKindsOfPicturesUpright) {
@@ -195,6 +199,15 @@ TEST(ImageFile, ReadsTheKindsOfPicturesUpright) {
       EXPECT_NEAR(scale * read->GetScalarComponentAsDouble(10, y, 0, 0), image->GetScalarComponentAsDouble(10, y, 0, 0),
                   8.0)
           << name << ", row " << y;
+  }
+}
+
+TEST(ImageFile, BlankPagesPackTightlyAndAreRead) {
+  for (const char* const name : {"blank_bilevel.png", "blank_fax.tif"}) {
+    vtkNew<vtkImageData> read;
+    ASSERT_EQ(readImageFile(std::string(MIEN_TEST_DIR "/data/pictures/") + name, read), "") << name;
+    EXPECT_EQ(read->GetDimensions()[0], 1200) << name;
+    EXPECT_EQ(read->GetDimensions()[1], 1200) << name;
   }
 }
 

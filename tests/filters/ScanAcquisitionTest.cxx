@@ -143,6 +143,24 @@ TEST(ScanAcquisition, UnitsAreRecognisedByTheEyes) {
   }
 }
 
+TEST(ScanAcquisition, UnitsAreRecognisedWithoutLandmarks) {
+  for (const auto& [unit, scale] : {std::pair{"cm", 0.1}, {"inch", 1.0 / 25.4}}) {
+    DenseFace scan(80, 81);
+    scan.mesh.vertices *= scale;
+    const AcquiredScan result = acquired(scan, {});
+    EXPECT_EQ(result.report.unit, unit);
+    EXPECT_TRUE(result.report.unitRecognised);
+    EXPECT_NEAR(result.report.eyes, eyeDistance(referenceLandmarks()), 3.0);
+  }
+}
+
+TEST(ScanAcquisition, ASizeBetweenTwoUnitsIsAskedAbout) {
+  DenseFace scan(80, 81);
+  scan.mesh.vertices *= 0.1 / std::sqrt(2.54);  // in cm too small a head, in inches too large a one
+  const std::string fault = faultWithout(scan.mesh);
+  EXPECT_NE(fault.find("or the unit with --units"), std::string::npos) << fault;
+}
+
 TEST(ScanAcquisition, AnImpossibleSizeIsAskedAbout) {
   DenseFace scan(60, 61);
   scan.mesh.vertices *= 0.02;
@@ -167,6 +185,33 @@ TEST(ScanAcquisition, TwelveLandmarksAreEnough) {
   EXPECT_LT((result.landmarks.points - scan.landmarks.points).rowwise().norm().maxCoeff(), 3.0)
       << "the reference's own lie up to 2.2 mm off its surface";
   EXPECT_LT(distanceOf(result), 0.1);
+}
+
+TEST(ScanAcquisition, LandmarksMustBeThoseOfTheScan) {
+  const DenseFace scan(110, 111);
+  const auto faultOf = [&](const FaceLandmarks& landmarks) {
+    AcquiredScan result;
+    return acquireScan(cleaned(scan.mesh), all(), landmarks, referenceTemplate(), {}, result);
+  };
+  EXPECT_EQ(faultOf(scan.landmarks), "");
+  FaceLandmarks other = scan.landmarks;
+  other.points.col(2).array() += 4.0;
+  EXPECT_NE(faultOf(other).find("off the scan"), std::string::npos) << faultOf(other);
+  other.points = 0.1 * scan.landmarks.points;  // cm beside a scan in mm
+  EXPECT_NE(faultOf(other).find("off the scan"), std::string::npos) << faultOf(other);
+  other.points = scan.landmarks.points.colwise().reverse();
+  EXPECT_NE(faultOf(other).find("as those of a face do"), std::string::npos) << faultOf(other);
+}
+
+TEST(ScanAcquisition, LandmarksThatCannotBeComparedAreARemark) {
+  const SyntheticHead head = ellipticHead();
+  ScanSettings settings;
+  settings.compareLandmarks = true;
+  AcquiredScan result;
+  ASSERT_EQ(acquireScan(cleaned(head.mesh()), all(), head.landmarks(), referenceTemplate(), settings, result), "");
+  EXPECT_EQ(result.report.uncomparedReason.rfind("no face was found", 0), 0u) << result.report.uncomparedReason;
+  EXPECT_FALSE(result.report.fitted);
+  EXPECT_EQ(result.face.curves.count, 29);
 }
 
 TEST(ScanAcquisition, FindsUnitPoseAndLandmarksByItself) {

@@ -84,3 +84,15 @@ TEST(ScanReader, RefusesAHeaderThatPromisesMoreThanTheFileHolds) {
   for (const std::string& file : damaged)
     EXPECT_NE(errorOf(file).find(file + ": the header promises more"), std::string::npos) << errorOf(file);
 }
+
+TEST(ScanReader, NegativeCountsAreRefused) {
+  const std::string rest = "property float x\nproperty float y\nproperty float z\nelement face ";
+  const std::string list = "\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n";
+  const std::string start = "ply\nformat ascii 1.0\nelement vertex ";
+  for (const std::string& text : {start + "-4\n" + rest + "1" + list, start + "1\n" + rest + "-1" + list})
+    EXPECT_NE(errorOf(writeFile("negative.ply", text)).find("fewer than none"), std::string::npos);
+  for (const char* const counts : {"-4 1 0", "4 -1 0"})
+    EXPECT_NE(errorOf(writeFile("negative.off", std::string("OFF\n") + counts + "\n0 0 0\n")).find("fewer than none"),
+              std::string::npos)
+        << counts;
+}

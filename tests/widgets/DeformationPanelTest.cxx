@@ -181,7 +181,7 @@ TEST_F(DeformationPanel, TheBoundaryCurvesMoveWithTheFace) {
   double largest = 0.0;
   for (vtkIdType i = 0; i < rest->GetNumberOfPoints(); ++i)
     largest = std::max(largest, std::abs(moved->GetPoint(i)[1] - rest->GetPoint(i)[1]));
-  EXPECT_GT(largest, 5.0) << "mm, the jaw of a surprised face";
+  EXPECT_GT(largest, 15.0) << "mm; the jaw of a surprised face, whose surface goes down by 16.7";
 }
 
 TEST_F(DeformationPanel, ASavedFitIsATableAgain) {

@@ -207,6 +207,10 @@ TEST_F(MotionVectorFigure, SignedColoursAreSymmetricAboutZero) {
                                         options_);
   EXPECT_EQ(across.rangeBegin(), -0.5) << "a tenth of the motion in space";
   EXPECT_EQ(across.rangeEnd(), 0.5);
+  EXPECT_TRUE(across.lacksTowards());
+  EXPECT_FALSE(away.lacksTowards());
+  EXPECT_NE(svgOf(across).find("No motion towards the viewer"), std::string::npos);
+  EXPECT_EQ(svgOf(away).find("No motion towards the viewer"), std::string::npos);
   for (const mien::FigureTheme& theme : mien::FigureTheme::all()) {
     const mien::VectorColors colors("coolwarm", theme, -2.0, 2.0);
     const QColor zero = colors.at(0.0);

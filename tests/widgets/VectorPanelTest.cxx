@@ -13,6 +13,8 @@
 
 #include "AnimationPlayer.h"
 #include "ExportButton.h"
+#include "FAPSequence.h"
+#include "FAPWriter.h"
 #include "FaceModel.h"
 #include "LiveMotion.h"
 #include "MotionField.h"
@@ -73,6 +75,49 @@ TEST_F(VectorPanel, FollowsAPlayingAnimation) {
   window->player().play();
   EXPECT_TRUE(comes([this] { return drawn > 3 && shown().moved.frame > 3.0 && !picture().arrows.empty(); }));
   window->player().pause();
+}
+
+/// A nod that grows, and a turn at the end that is much stronger.
+QString writeNods(const QTemporaryDir& folder) {
+  mien::FAPSequence sequence;
+  for (int i = 0; i < 30; ++i) {
+    mien::FAPFrame frame;
+    frame.number = i;
+    frame.setValue(48, 400.0 * i);
+    if (i == 29) frame.setValue(49, 60000.0);
+    sequence.frames.push_back(frame);
+  }
+  std::string text;
+  EXPECT_EQ(mien::writeFAP(sequence, text), "");
+  QFile file(folder.filePath("nods.fap"));
+  EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text.data(), text.size()) > 0);
+  return file.fileName();
+}
+
+TEST_F(VectorPanel, ScaleAndRangeOfAFileAreThoseOfItsStrongestFrameAllTheTime) {
+  const QTemporaryDir folder;
+  ASSERT_TRUE(window->openAnimation(writeNods(folder)));
+  const auto showFrame = [this](double frame) {
+    window->model().showFrame(frame);
+    return comes([&] { return shown().moved.frame == frame && !shown().moved.fapFile.empty(); });
+  };
+  ASSERT_TRUE(showFrame(1.0));
+  const double scale = view->figure()->scale(), end = view->figure()->rangeEnd();
+  EXPECT_GT(end, 20.0 * largest()) << "which moves hardly yet";
+  for (const double frame : {5.0, 15.0, 28.0, 29.0, 2.0}) {
+    ASSERT_TRUE(showFrame(frame)) << frame;
+    EXPECT_EQ(view->figure()->scale(), scale) << frame;
+    EXPECT_EQ(view->figure()->rangeEnd(), end) << frame;
+    if (frame == 29.0) {
+      EXPECT_GE(end, picture().largest());
+      EXPECT_LT(end, 1.6 * picture().largest());
+    }
+  }
+  window->model().closeAnimation();
+  setFAP(33, 60.0);
+  ASSERT_TRUE(comes([this] { return shown().moved.fapFile.empty() && shown().moved.fapValues.count(33) > 0; }));
+  EXPECT_LT(view->figure()->scale(), 0.5 * scale);
+  EXPECT_LT(view->figure()->rangeEnd(), 0.5 * end);
 }
 
 TEST_F(VectorPanel, DrawsNothingWhileHidden) {
@@ -187,6 +232,9 @@ TEST_F(VectorPanel, RectanglesTakeEachOthersPlaceInTheList) {
 TEST_F(VectorPanel, ControlsReachTheFigure) {
   setFAP(33, 300.0);
   EXPECT_TRUE(comes([this] { return !picture().arrows.empty(); }));
+  EXPECT_EQ(shown().options.picture.sampling.kind, mien::VectorSampling::Kind::Automatic);
+  find<QComboBox>("vectorsSampling")->setCurrentIndex(1);
+  EXPECT_TRUE(comes([this] { return shown().options.picture.sampling.kind == mien::VectorSampling::Kind::Even; }));
   const size_t even = motion().result().chosen.size();
   find<QDoubleSpinBox>("vectorsSpacing")->setValue(10.0);
   EXPECT_TRUE(comes([&] { return motion().result().chosen.size() < 0.5 * even; }));

@@ -24,7 +24,6 @@ constexpr double besideGap = 4.0;       // mm, before it
 constexpr double arrowRoom = 0.085;     // longest arrow over width of a panel: neighbours still can be told apart
 constexpr double mostShape = 1.5;       // height over width of a panel
 constexpr double leastEqual = 0.01;     // of the longest vector: shorter ones have no arrow of equal length
-constexpr double leastTowards = 0.1;    // of the longest vector: the least range of motion towards the viewer
 constexpr double leastFace = 8.0;       // mm, of a panel that the key leaves hardly any room
 constexpr int refinements = 5;          // size of the face and overhang of arrows depend on each other, weakly
 
@@ -114,6 +113,7 @@ void MotionVectorFigure::chooseRange() {
   const bool isSigned = style_.color == MotionVectorOptions::Color::Towards;
   double largest = 0.0;
   for (const VectorPicture& picture : all_) largest = std::max(largest, picture.largest());
+  style_.lacksTowards = isSigned && !options_.range && std::max(most, -least) < leastMotion && largest > 0.0;
   const double end = automaticRangeEnd(std::max({most, -least, isSigned ? leastTowards * largest : 0.0}));
   const std::array<double, 2> automatic = {isSigned ? -end : 0.0, end};
   std::tie(style_.rangeBegin, style_.rangeEnd) = std::tuple_cat(options_.range.value_or(automatic));

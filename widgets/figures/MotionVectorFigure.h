@@ -46,6 +46,12 @@ class MotionVectorFigure {
   double rangeEnd() const { return style_.rangeEnd; }
   double reference() const { return reference_; }  ///< motion of the reference arrow, mm; 0: there is none
 
+  /// Whether the colours tell motion towards the viewer, of which there is none: the key says so instead of a range.
+  bool lacksTowards() const { return style_.lacksTowards; }
+
+  /// Least range of motion towards the viewer over the longest vector.
+  static constexpr double leastTowards = 0.1;
+
   /// Which vectors have arrows; never automatic.
   const VectorSampling& sampling() const { return options_.picture.sampling; }
 

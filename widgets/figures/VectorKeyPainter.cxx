@@ -41,11 +41,13 @@ VectorKeyPainter::VectorKeyPainter(const VectorStyle& style, double reference, d
                                   .arg(QString::number(style.leastShown, 'g', 2))
                             : QStringLiteral("1 mm of arrow = %1 mm").arg(number(style.scale)) + seen;
   scaleLines_ = textLines(style.font(textSize), scale, hasBar() ? barLeft() - units(gap) : width_);
+  if (style.lacksTowards)
+    scaleLines_ << textLines(style.font(textSize), QStringLiteral("No motion towards the viewer"), width_);
   titleLines_ = textLines(style.font(textSize), title(), width_ - barLeft());
 }
 
 bool VectorKeyPainter::hasBar() const {
-  return style_.color != MotionVectorOptions::Color::None;
+  return style_.color != MotionVectorOptions::Color::None && !style_.lacksTowards;
 }
 
 double VectorKeyPainter::barLeft() const {

@@ -23,6 +23,7 @@ struct VectorStyle {
   double scale = 1.0;                       ///< mm of motion per mm of arrow
   double leastShown = 0.0;                  ///< mm; what moves less has no arrow of equal length
   double rangeBegin = 0.0, rangeEnd = 1.0;  ///< mm
+  bool lacksTowards = false;                ///< whether the colours have nothing to tell: nothing moves to the viewer
 
   QFont font(double points, bool bold = false) const;
 

@@ -5,6 +5,7 @@
 
 #include "DepthMovement.h"
 #include "FaceFrame.h"
+#include "FaceMotion.h"
 #include "FaceOptions.h"
 #include "FacePipeline.h"
 #include "Failure.h"
@@ -33,19 +34,8 @@ struct Options {
   TableOutput output;
 };
 
-/// The same face at rest.
-FaceState neutralOf(FaceState state) {
-  state.fapFile.clear();
-  state.fapValues.clear();
-  state.expressions.clear();
-  state.visemes.clear();
-  state.deformation = {};
-  return state;
-}
-
 bool movesAnything(const FaceState& state) {
-  return !state.fapFile.empty() || !state.fapValues.empty() || !state.expressions.empty() || !state.visemes.empty() ||
-         !state.deformation.table.empty();
+  return state != FaceMotion::neutralOf(state);
 }
 
 vtkSmartPointer<vtkStructuredGrid> copyOf(vtkStructuredGrid* grid) {
@@ -106,7 +96,7 @@ void run(Options& options) {
   updateOrThrow(pipeline);
   printRemarks(pipeline);
   const auto moved = copyOf(pipeline.grid());
-  pipeline.setState(neutralOf(pipeline.state()));
+  pipeline.setState(FaceMotion::neutralOf(pipeline.state()));
   updateOrThrow(pipeline);
   const auto neutral = copyOf(pipeline.grid());
   const std::string face = state.curvesFile.empty() ? "generic face" : state.curvesFile;

@@ -85,14 +85,17 @@ FigureDrawing drawActiveArea(FigureContext& context) {
   const PlaneDrawing after = areaDrawing(context.curves(raised).curves, field, true);
   const QRectF shown = before.bounds().united(after.bounds());
   Plate plate;
-  plate.columns = context.settings().width < 120.0 ? 1 : 3;
+  plate.columns = context.isNarrow() ? 2 : 3;
   MotionVectorOptions options = context.vectorOptions();
-  options.width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
+  const int span = context.isNarrow() ? 2 : 1;
+  options.width = PlatePainter::panelWidth(context.settings().width, plate.columns, span);
   plate.panels = {drawingPanel("Before", before, shown), drawingPanel("After", after, shown),
                   motionPanel("Motion of the active area", {{field, ""}}, options)};
+  plate.panels.back().span = span;
   plate.caption =
-      "One boundary curve, C6 (orange), is moved by FAPs 31 to 36 = 300; blue: the rows of the surface that "
-      "move with it by more than 2 % of its own motion.";
+      "The brows' curve C6 (orange) is raised by FAPs 31 to 36 = 300; the curves beside it follow by their weights in "
+      "the animation table. Blue: the rows of the surface "
+      "that move by more than 2 % of the largest motion.";
   return context.drawn(plate);
 }
 

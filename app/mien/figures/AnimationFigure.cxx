@@ -1,6 +1,8 @@
 #include "CatalogueFigures.h"
+#include "CsvText.h"
 #include "CurveDrawing.h"
 #include "FaceMotion.h"
+#include "FaceNote.h"
 #include "FigureContext.h"
 #include "FrameChoice.h"
 #include "MotionPanel.h"
@@ -35,11 +37,12 @@ PlatePanel vectorRow(FigureContext& context, const std::vector<FaceState>& state
   for (FaceState state : states) {
     state.rows = 56;
     state.columns = 40;
-    fields.push_back({context.motion(state, FaceMotion::neutralOf(state)), ""});
+    fields.push_back(
+        {context.motion(state, FaceMotion::neutralOf(state)), context.isNarrow() ? frameHeading(state) : ""});
   }
   MotionVectorOptions options = context.vectorOptions();
   options.width = context.innerWidth();
-  options.columns = static_cast<int>(states.size());
+  options.columns = context.isNarrow() ? 3 : static_cast<int>(states.size());  // arrows must be seen
   options.labelled = false;
   return motionPanel("Motion against the neutral face, 56 x 40 points", fields, options);
 }
@@ -58,23 +61,32 @@ PlatePanel texturedRow(FigureContext& context, const std::vector<FaceState>& sta
   return panelRow(heading, panels, context.innerWidth());
 }
 
+/// The face, the file and its frames.
+std::string noteOf(const std::vector<FaceState>& states) {
+  std::string frames;
+  for (const FaceState& state : states) frames += (frames.empty() ? "frames " : ", ") + shortestText(state.frame);
+  return faceNote(states.front(), {states.front().surface.scheme}, true, frames);
+}
+
 }  // namespace
 
 FigureDrawing drawAnimation(FigureContext& context) {
-  const std::vector<FaceState> states = animationStates(context, frames, 0.1, 0.9);
+  const std::vector<FaceState> states = animationStates(context, frames, 0.0, 1.0);
   Plate plate;
   plate.columns = 1;
   plate.panels = {curveRow(context, states), vectorRow(context, states)};
   const size_t textures = std::max<size_t>(context.settings().textures.size(), 1);
   for (size_t i = 0; i < textures; ++i) plate.panels.push_back(texturedRow(context, states, i, "Textured", false));
+  plate.note = noteOf(states);
   return context.drawn(plate);
 }
 
 FigureDrawing drawTexturedAnimation(FigureContext& context) {
-  const std::vector<FaceState> states = animationStates(context, frames, 0.02, 0.5);
+  const std::vector<FaceState> states = animationStates(context, frames, 0.5, 1.0);
   Plate plate;
   plate.columns = 1;
   plate.panels = {texturedRow(context, states, 0, "", true)};
+  plate.note = noteOf(states);
   return context.drawn(plate);
 }
 

@@ -7,14 +7,10 @@
 namespace mien {
 
 FaceAnimator boundFace(FigureContext& context) {
-  FaceState neutral = context.state();
-  neutral.fapFile.clear();
-  neutral.fapValues.clear();
-  neutral.expressions.clear();
   AnimationTable table;
   FaceAnimator animator;
-  std::string fault = readAnimationTable(neutral.animationTable, table);
-  if (fault.empty()) fault = animator.bind(context.curves(neutral), table);
+  std::string fault = readAnimationTable(context.state().animationTable, table);
+  if (fault.empty()) fault = animator.bind(context.neutralFace(), table);
   if (!fault.empty()) throw FileFailure(fault);
   return animator;
 }

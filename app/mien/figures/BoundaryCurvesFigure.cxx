@@ -3,6 +3,7 @@
 #include "CatalogueFigures.h"
 #include "CurveDrawing.h"
 #include "FaceLayout.h"
+#include "FaceMotion.h"
 #include "FigureContext.h"
 #include "PlaneDrawingPainter.h"
 #include "PlatePainter.h"
@@ -41,19 +42,23 @@ PlaneDrawing labelledCurves(const ClosedCurves& curves, double panelWidth) {
 }  // namespace
 
 FigureDrawing drawBoundaryCurves(FigureContext& context) {
-  FaceState open = context.state();
+  const FaceState rest = FaceMotion::neutralOf(context.state());
+  FaceState open = rest;
   open.fapValues[51] -= 120.0;
   open.fapValues[52] -= 450.0;
   const int columns = context.settings().width < twoColumns ? 1 : 2;
   const double width = PlatePainter::panelWidth(context.settings().width, columns, 1);
-  const PlaneDrawing closedMouth = labelledCurves(context.curves(context.state()).curves, width);
+  const PlaneDrawing closedMouth = labelledCurves(context.curves(rest).curves, width);
   const PlaneDrawing openMouth = labelledCurves(context.curves(open).curves, width);
   const QRectF shown = closedMouth.bounds().united(openMouth.bounds()).adjusted(-9.0, 0.0, 9.0, 0.0);
   Plate plate;
   plate.columns = columns;
   plate.panels = {drawingPanel("Mouth closed: C22 and C22' coincide", closedMouth, shown),
                   drawingPanel("Mouth open", openMouth, shown)};
-  plate.note = "Patches: P0 = C1 .. C4, P1 = C4 .. C7, ... P6 = C19 .. C22, P7 = C22' .. C25, P8 = C25 .. C28";
+  plate.caption =
+      "Thick: curves between patches (P0 = C1 .. C4, P1 = C4 .. C7, P2 = C7 .. C10, P3 = C10 .. C13, P4 = C13 .. C16, "
+      "P5 = C16 .. C19, P6 = C19 .. C22, P7 = C22' .. C25, P8 = C25 .. C28); orange: the inner contours C22 (upper) "
+      "and C22' (lower).";
   return context.drawn(plate);
 }
 

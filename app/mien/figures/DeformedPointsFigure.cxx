@@ -7,7 +7,6 @@
 #include "FigureContext.h"
 #include "NamedTables.h"
 #include "PlaneDrawingPainter.h"
-#include "RegionCells.h"
 #include "TableDeformation.h"
 
 namespace mien {
@@ -17,16 +16,25 @@ namespace {
 constexpr double spacing = 0.28;  // of the points, pupil units
 const char* const publishedTable = "smile";
 
-std::vector<DeformationPoint> pointsWithin(const PlanePolygon& outline, const FacialRegions& regions) {
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& point : outline) box.extend(point);
+/// Around the ends of the curves: down on one side and up on the other.
+QPolygonF outlineOf(const std::vector<QPolygonF>& lines) {
+  QPolygonF outline;
+  for (const QPolygonF& line : lines) outline << line.first();
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) outline << line->last();
+  return outline;
+}
+
+std::vector<DeformationPoint> pointsWithin(const QPolygonF& outline) {
+  const QRectF bounds = outline.boundingRect();
+  const Eigen::AlignedBox2d box(Eigen::Vector2d(bounds.left(), bounds.top()),
+                                Eigen::Vector2d(bounds.right(), bounds.bottom()));
   std::vector<DeformationPoint> points;
   const int columns = static_cast<int>(0.5 * box.sizes().x() / spacing);
   for (double y = box.max().y() - 0.5 * spacing; y > box.min().y(); y -= spacing)
     for (int i = -columns; i <= columns; ++i) {
       DeformationPoint point;
       point.position = {i * spacing, y, 0.0};
-      if (regions.outlineWeight({i * spacing, y}) > 0.5) points.push_back(point);
+      if (outline.containsPoint(QPointF(i * spacing, y), Qt::OddEvenFill)) points.push_back(point);
     }
   return points;
 }
@@ -51,7 +59,7 @@ void addWay(PlaneDrawing& drawing, const Eigen::Vector2d& from, const Eigen::Vec
   if (move.norm() < 0.02) return;
   const Eigen::Vector2d to = from + move;
   drawing.lines.push_back(
-      {segment(QPointF(from.x(), from.y()), QPointF(to.x(), to.y())), {QColor("#222222"), 0.4}, false, true});
+      {segment(QPointF(from.x(), from.y()), QPointF(to.x(), to.y())), {QColor(), 0.4}, false, true});
 }
 
 }  // namespace
@@ -62,9 +70,9 @@ FigureDrawing drawDeformedPoints(FigureContext& context) {
   DeformationTable table;
   const std::string fault = readNamedTable(name, table);
   if (!fault.empty()) throw FileFailure(fault);
-  const auto points = pointsWithin(faceOutline(defaultRegions()), defaultRegions());
-  const auto moves = displacements(points, table, asked.strength, asked.smooth);
   const std::vector<QPolygonF> lines = frontalLines(context.neutralFace(), true);
+  const auto points = pointsWithin(outlineOf(lines));
+  const auto moves = displacements(points, table, asked.strength, asked.smooth);
   PlaneDrawing before, after;
   for (PlaneDrawing* drawing : {&before, &after}) addFaceBehind(*drawing, lines);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -73,11 +81,16 @@ FigureDrawing drawDeformedPoints(FigureContext& context) {
     addPoint(after, at + moves[i], QColor("#d55e00"));
     addWay(after, at, moves[i]);
   }
+  for (PlaneDrawing* drawing : {&before, &after})
+    for (const double x : {-1.0, 1.0})
+      drawing->labels.push_back({{x, 0.0}, QString("(%1, 0)").arg(x), 6.0, Qt::AlignCenter, {}, true});
   const QRectF shown = before.bounds().united(after.bounds());
   Plate plate;
   plate.panels = {drawingPanel("Points of the neutral face", before, shown),
                   drawingPanel("Deformed by " + name, after, shown)};
-  plate.caption = std::string("Points in pupil units, each moved by the map of its region, ") +
+  plate.caption = std::string(
+                      "A lattice of points; the pupils are at (-1, 0) and (1, 0), curves are those of the neutral "
+                      "face. Each point is moved by the map of its region, ") +
                   (asked.smooth ? "blended smoothly at the borders." : "with the hard borders of the paper.");
   return context.drawn(plate);
 }

@@ -21,7 +21,7 @@ constexpr double from = 170.0 / 180.0 * M_PI, to = 262.0 / 180.0 * M_PI;  // the
 Chart weightChart(const FaceAnimator& face) {
   Chart chart;
   chart.x = {"v", "degrees"};
-  chart.y = {"Weight on " + std::string(curveName)};
+  chart.y = {"Weight on " + std::string(curveName), ""};
   chart.y.begin = 0.0;
   chart.y.end = 1.1;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(face.neutral().curves.pointsPerCurve);

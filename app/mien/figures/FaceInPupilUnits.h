@@ -11,7 +11,7 @@ namespace mien {
 /// The frontal half of a face's curves as lines, in mm or, given the pupils, in pupil units.
 std::vector<QPolygonF> frontalLines(const FaceCurves& face, bool inPupilUnits);
 
-/// Thin grey lines and the pupils as dots, to draw on.
+/// The lines thin and grey, to draw on.
 void addFaceBehind(PlaneDrawing& drawing, const std::vector<QPolygonF>& lines);
 
 }  // namespace mien

@@ -4,6 +4,7 @@
 
 #include "BoundaryCurveData.h"
 #include "FaceMotion.h"
+#include "FaceNote.h"
 #include "FaceOptions.h"
 #include "FaceScene.h"
 #include "Failure.h"
@@ -37,9 +38,11 @@ FacePipeline& FigureContext::pipeline(const FaceState& state) {
 
 FaceCurves FigureContext::curves(const FaceState& state) {
   FaceCurves face;
-  vtkAlgorithm* const curves = pipeline(state).curves();
-  curves->Update();
-  const std::string fault = readFaceCurves(vtkPolyData::SafeDownCast(curves->GetOutputDataObject(0)), face);
+  pipeline_.setState(state);
+  checkOrThrow(pipeline_);
+  std::string fault = pipeline_.updateCurves();  // no surface is needed
+  auto* const curves = vtkPolyData::SafeDownCast(pipeline_.shownCurves()->GetOutputDataObject(0));
+  if (fault.empty()) fault = readFaceCurves(curves, face);
   if (!fault.empty()) throw FileFailure(fault);
   return face;
 }
@@ -108,8 +111,10 @@ double FigureContext::innerWidth() const {
 }
 
 FigureDrawing FigureContext::drawn(const Plate& plate, bool labelled) const {
+  Plate noted = plate;
+  if (noted.note.empty()) noted.note = faceNote(state_, {state_.surface.scheme});
   const auto painter =
-      std::make_shared<PlatePainter>(plate, settings_.theme, settings_.width, labelled && settings_.labelled);
+      std::make_shared<PlatePainter>(noted, settings_.theme, settings_.width, labelled && settings_.labelled);
   return {painter->size(), [painter](QPainter& p) { painter->paint(p); }};
 }
 

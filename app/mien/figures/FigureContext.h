@@ -72,6 +72,9 @@ class FigureContext {
   FigureDrawing drawn(const Plate& plate, bool labelled = true) const;
   FigureDrawing drawn(const Figure& figure) const;
 
+  /// Whether the figure is for one column of a page.
+  bool isNarrow() const { return settings_.width < 120.0; }
+
  private:
   FaceState state_;
   FigureSettings settings_;

@@ -14,6 +14,7 @@ class FigureGallery {
     const CatalogueFigure* figure;
     std::string file;     ///< beside the page
     std::string command;  ///< that draws this file again
+    std::string face;     ///< its parameters in words
   };
 
   void add(const Entry& entry) { entries_.push_back(entry); }

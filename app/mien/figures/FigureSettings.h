@@ -12,8 +12,8 @@ struct FigureSettings {
   double width = 170.0;        ///< mm
   double dotsPerInch = 300.0;  ///< of pictures in it
   FigureTheme theme;
-  bool labelled = true;               ///< (a), (b) .. before panels
-  std::vector<double> frames;         ///< of the animation, as numbered in the file; empty: the figure's own choice
+  bool labelled = true;  ///< (a), (b) .. before panels
+  std::string frames;    ///< of the animation, as frameIndices() reads them; empty: the figure's own choice
   std::vector<std::string> textures;  ///< image files; empty: the texture that comes with Mien
 };
 

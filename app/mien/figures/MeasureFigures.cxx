@@ -42,6 +42,7 @@ PlatePanel bare(Figure chart, double width) {
 /// The largest angle of each seam, a column for each scheme.
 TextTable largestAngles(const json& report, const std::vector<std::string>& schemes) {
   TextTable table;
+  table.size = 5.2;
   table.columns.push_back({"Seam", 0.8});
   for (const std::string& scheme : schemes) table.columns.push_back({scheme, 1.0, true});
   const json& first = report["schemes"][0]["seams"];
@@ -50,6 +51,15 @@ TextTable largestAngles(const json& report, const std::vector<std::string>& sche
     for (std::size_t i = 0; i < schemes.size(); ++i)
       table.rows.back().push_back(threeDigits(report["schemes"][i]["seams"][seam]["g1_max_deg"]));
   }
+  return table;
+}
+
+/// Where each scheme breaks down, and why.
+TextTable breakdownTable(const json& breakdowns) {
+  TextTable table;
+  table.columns = {{"Scheme", 0.8}, {"Breaks down at a", 0.8}, {"Because", 2.4}};
+  for (const json& row : breakdowns)
+    table.rows.push_back({row["scheme"].get<std::string>(), threeDigits(row["a"]), row["reason"].get<std::string>()});
   return table;
 }
 
@@ -88,7 +98,9 @@ FigureDrawing drawContinuity(FigureContext& context) {
 
 FigureDrawing drawSpectrum(FigureContext& context) {
   MeasuredFace face;
-  face.set(context.state(), {context.state().surface.scheme});
+  FaceState all = context.state();
+  all.surface.modes = context.neutralFace().curves.pointsPerCurve / 2;  // partial sums up to the whole
+  face.set(all, {all.surface.scheme});
   return context.drawn(spectrumReport(face, 0.1).figure());
 }
 
@@ -97,12 +109,14 @@ FigureDrawing drawSweep(FigureContext& context) {
   face.set(context.state(), allSchemes());
   SweepChoice choice;
   choice.range = "0.1:100:25log";
-  const Figure chart = sweepReport(face, choice).figure();
+  const Report report = sweepReport(face, choice);
+  const Figure chart = report.figure();
   Plate plate;
   plate.columns = 1;
   plate.caption = chart.caption;
   plate.note = chart.note;
-  plate.panels = {surfaceRow(context), bare(chart, context.innerWidth())};
+  plate.panels = {surfaceRow(context), bare(chart, context.innerWidth()),
+                  tablePanel("", breakdownTable(report.json["breakdowns"]), context.innerWidth())};
   return context.drawn(plate, false);
 }
 

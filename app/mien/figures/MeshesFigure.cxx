@@ -13,7 +13,7 @@ constexpr double shape = 1.1;  // height over width of a panel
 
 FigureDrawing drawMeshes(FigureContext& context) {
   Plate plate;
-  plate.columns = context.settings().width < 120.0 ? 2 : 4;
+  plate.columns = context.isNarrow() ? 2 : 4;
   const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
   for (const auto& [rows, columns] : {std::pair{28, 20}, {50, 40}})
     for (const SceneStyle::Mesh mesh : {SceneStyle::Mesh::Wireframe, SceneStyle::Mesh::Shaded}) {
@@ -22,9 +22,12 @@ FigureDrawing drawMeshes(FigureContext& context) {
       state.columns = columns;
       SceneStyle style;
       style.mesh = mesh;
-      const std::string size = std::to_string(rows) + " x " + std::to_string(columns);
+      const bool lines = mesh == SceneStyle::Mesh::Wireframe;
+      const std::string size =
+          std::to_string(rows) + " x " + std::to_string(columns) + (lines ? ", wireframe" : ", shaded");
       plate.panels.push_back(picturePanel(size, context.picture(state, style, width, shape)));
     }
+  plate.caption = "Rows x columns of points on the same boundary curves.";
   return context.drawn(plate);
 }
 

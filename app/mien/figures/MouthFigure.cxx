@@ -23,10 +23,10 @@ struct MouthCase {
 
 const std::vector<MouthCase>& mouthCases() {
   static const std::vector<MouthCase> cases = {
-      {"FAP 51 = -200, 52 = -400: the lips part", {{51, -200.0}, {52, -400.0}}},
-      {"FAP 59, 60 = 250: corners up", {{59, 250.0}, {60, 250.0}}},
-      {"FAP 53, 54 = 200: corners apart", {{53, 200.0}, {54, 200.0}}},
-      {"All six together", {{51, -200.0}, {52, -400.0}, {53, 200.0}, {54, 200.0}, {59, 250.0}, {60, 250.0}}}};
+      {"51 = -200, 52 = -400: open", {{51, -200.0}, {52, -400.0}}},
+      {"59, 60 = 250: corners up", {{59, 250.0}, {60, 250.0}}},
+      {"53, 54 = 200: corners apart", {{53, 200.0}, {54, 200.0}}},
+      {"All six FAPs", {{51, -200.0}, {52, -400.0}, {53, 200.0}, {54, 200.0}, {59, 250.0}, {60, 250.0}}}};
   return cases;
 }
 
@@ -83,13 +83,14 @@ FigureDrawing drawMouth(FigureContext& context) {
     shown = shown.united(drawings.back().bounds());
   }
   Plate plate;
-  plate.columns = 2;
+  plate.columns = context.isNarrow() ? 1 : 2;
   for (size_t i = 0; i < drawings.size(); ++i)
     plate.panels.push_back(drawingPanel(mouthCases()[i].heading, drawings[i], shown));
   plate.caption =
       "C21, C23 (black) and the inner contours C22, C22' (orange) with the ways of their samples (blue); dashed: at "
-      "rest, grey: on the way. "
-      "The inner contours part along parabolas; together the six stay within the largest single displacement.";
+      "rest, grey: on the way. The contours open as one arch between the corners; where lips would cross, contact "
+      "bends "
+      "the ways. All six: the values of (a) to (c) together.";
   return context.drawn(plate);
 }
 

@@ -58,7 +58,7 @@ QPointF pointOf(const Eigen::Vector2d& point) {
 PlaneDrawing poseDrawing(const Pose& pose, const Eigen::Vector2d& origin, const QString& right, const QString& left) {
   PlaneDrawing drawing;
   addFaceBehind(drawing, pose.lines);
-  const QRectF box = drawing.bounds();
+  const QRectF box = drawing.bounds().united(QRectF(pointOf(origin), QSizeF(1e-3, 1e-3)));
   const PlaneStroke axis = {QColor("#222222"), 0.4};
   drawing.lines.push_back(
       {segment(QPointF(box.left(), origin.y()), QPointF(box.right(), origin.y())), axis, false, true});
@@ -74,36 +74,43 @@ PlaneDrawing poseDrawing(const Pose& pose, const Eigen::Vector2d& origin, const 
   return drawing;
 }
 
-/// "p1 (231, 402)"
-QString inPixels(const char* name, const Eigen::Vector2d& at) {
-  return QString("%1 (%2, %3)").arg(name).arg(at.x(), 0, 'f', 0).arg(at.y(), 0, 'f', 0);
+/// "(231, 402)"
+QString inPixels(const Eigen::Vector2d& at) {
+  const auto whole = [](double value) { return QString::number(std::lround(value)); };
+  return "(" + whole(at.x()) + ", " + whole(at.y()) + ")";
+}
+
+/// The pose with the coordinates of its pupils.
+PlaneDrawing inPixels(const Pose& pose) {
+  return poseDrawing(pose, {0.0, 0.0}, inPixels(pose.right), inPixels(pose.left));
+}
+
+PlaneDrawing inPupilUnits(const Pose& pose) {
+  return poseDrawing(pose, {0.0, 0.0}, "(-1, 0)", "(1, 0)");
 }
 
 }  // namespace
 
 FigureDrawing drawPupils(FigureContext& context) {
   const Pose pose = photographed(context);
-  const Pose end = scaled(upright(centred(pose)));
   Plate plate;
-  plate.panels = {drawingPanel("As recorded, pixels",
-                               poseDrawing(pose, {0.0, 0.0}, inPixels("p1", pose.right), inPixels("p2", pose.left))),
-                  drawingPanel("In pupil units", poseDrawing(end, {0.0, 0.0}, "p1 (-1, 0)", "p2 (1, 0)"))};
+  plate.panels = {drawingPanel("As recorded, pixels", inPixels(pose)),
+                  drawingPanel("In pupil units", inPupilUnits(scaled(upright(centred(pose)))))};
   plate.caption = "The pupils p1 (the subject's right) and p2 give every face the same place, turn and size.";
   return context.drawn(plate);
 }
 
 FigureDrawing drawNormalisation(FigureContext& context) {
   const Pose pose = photographed(context), first = centred(pose), second = upright(first), third = scaled(second);
-  const Eigen::Vector2d origin = 0.5 * (pose.left + pose.right);
   Plate plate;
-  plate.columns = context.settings().width < 120.0 ? 2 : 4;
-  plate.panels = {drawingPanel("Midpoint of p1 and p2", poseDrawing(pose, origin, "p1", "p2")),
-                  drawingPanel("1 Moved to the origin", poseDrawing(first, {0.0, 0.0}, "p1", "p2")),
-                  drawingPanel("2 Turned about z", poseDrawing(second, {0.0, 0.0}, "p1", "p2")),
-                  drawingPanel("3 Scaled", poseDrawing(third, {0.0, 0.0}, "(-1, 0)", "(1, 0)"))};
+  plate.columns = context.isNarrow() ? 2 : 4;
+  plate.panels = {
+      drawingPanel("Recorded, pixels", inPixels(pose)), drawingPanel("Moved to the midpoint", inPixels(first)),
+      drawingPanel("Turned about z", inPixels(second)), drawingPanel("Scaled: pupil units", inPupilUnits(third))};
   plate.caption =
-      "Pupil normalisation of a face that was recorded turned by 14 degrees. The scale is uniform; depth is "
-      "scaled with it.";
+      "Pupil normalisation of a face that was recorded turned by 14 degrees; the axes meet at the origin, the numbers "
+      "are "
+      "the coordinates of the pupils after each step. The scale is uniform; depth is scaled with it.";
   return context.drawn(plate);
 }
 

@@ -2,6 +2,7 @@
 #include "DefaultRegions.h"
 #include "FaceInPupilUnits.h"
 #include "FaceMotion.h"
+#include "FaceNote.h"
 #include "Failure.h"
 #include "FigureContext.h"
 #include "NumberText.h"
@@ -61,7 +62,7 @@ TextTable coefficientTable(const QuadraticMap& map) {
   const char* const terms[] = {"x²", "xy", "y²", "x", "y", "1"};
   for (int i = 0; i < 6; ++i) {
     const auto cell = [&](int row) {
-      return QString("%1%2 = %3")
+      return QString("%1%2\u00a0=\u00a0%3")
           .arg(row ? "b" : "a")
           .arg(i + 1)
           .arg(map.coefficients(row, i), 0, 'f', 4)
@@ -94,12 +95,13 @@ FigureDrawing drawParameterFit(FigureContext& context) {
   const QuadraticFit fit = fitQuadraticMap(points.matrix(points.before), points.matrix(points.after));
   Plate plate;
   const double width = PlatePainter::panelWidth(context.settings().width, 2, 1);
-  plate.panels = {drawingPanel("Region 11, before (blue) and after (orange)", pointDrawing(points)),
+  plate.panels = {drawingPanel("Points of region 11", pointDrawing(points)),
                   tablePanel("The 12 parameters", coefficientTable(fit.map), width)};
   plate.caption =
       "x' = a1 x² + a2 xy + a3 y² + a4 x + a5 y + a6, y' likewise with b1 .. b6, fitted by least squares to " +
-      std::to_string(fit.points) +
-      " points of the left cheek of a face that moves; what is left over has an "
+      std::to_string(fit.points) + " points of the left cheek, before (blue) and after (orange, joined to them) " +
+      motionText(moved) +
+      "; what is left over has an "
       "RMS of " +
       QString::number(fit.rms, 'f', 4).toStdString() + " pupil units.";
   return context.drawn(plate);

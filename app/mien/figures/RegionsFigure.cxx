@@ -60,10 +60,11 @@ TextTable nameTable() {
 
 FigureDrawing drawRegions(FigureContext& context) {
   Plate plate;
-  const double width = PlatePainter::panelWidth(context.settings().width, 2, 1);
-  plate.panels = {drawingPanel("", regionDrawing(context)), tablePanel("", nameTable(), width)};
+  plate.columns = context.isNarrow() ? 1 : 2;
+  const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
+  plate.panels = {drawingPanel("Nearest centre", regionDrawing(context)), tablePanel("Names", nameTable(), width)};
   plate.caption =
-      "Hard regions in pupil units: the nearest of 16 centres (numbers), mirror pairs in one colour; dots: the "
+      "Hard regions in pupil units: the nearest of 16 centres (numbers), colours only tell neighbours apart; dots: the "
       "pupils at (-1, 0) and (1, 0).";
   return context.drawn(plate);
 }

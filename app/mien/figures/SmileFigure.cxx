@@ -19,16 +19,18 @@ FigureDrawing drawSmile(FigureContext& context) {
   smile.deformation = context.state().deformation;
   if (smile.deformation.table.empty()) smile.deformation.table = "smile";
   Plate plate;
-  plate.columns = context.settings().width < 120.0 ? 2 : 4;
+  plate.columns = context.isNarrow() ? 2 : 4;
   const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
   for (const char* const view : {"front", "45"})
     for (const FaceState& state : {neutral, smile}) {
       SceneStyle style;
       style.view = parseView(view);
-      const std::string heading = state.deformation.table.empty() ? "Neutral" : state.deformation.table;
+      const std::string heading = state.deformation.table.empty() ? "Neutral" : "Deformed";
       plate.panels.push_back(context.facePanel(heading, state, style, width, shape));
     }
-  plate.caption = "The published table of a smile (Table I) on this face, front and turned by 45 degrees.";
+  const bool published = smile.deformation.table == "smile";
+  plate.caption = (published ? "The published table of a smile (Table I)" : "The table " + smile.deformation.table) +
+                  std::string(" on this face, front and turned by 45 degrees.");
   return context.drawn(plate);
 }
 

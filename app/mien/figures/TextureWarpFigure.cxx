@@ -106,6 +106,18 @@ PlaneDrawing meshDrawing(const WarpMesh& mesh) {
   return drawing;
 }
 
+/// The middle half of a texture: v of the front of the head.
+QImage frontalHalf(const QImage& texture) {
+  return texture.copy(texture.width() / 4, 0, texture.width() / 2, texture.height());
+}
+
+PlaneDrawing frontalHalf(PlaneDrawing drawing, const QImage& texture) {
+  const QPointF shift(-texture.width() / 4.0, 0.0);
+  for (PlaneDrawing::Line& line : drawing.lines) line.points.translate(shift);
+  for (PlaneDrawing::Mark& mark : drawing.marks) mark.at += shift;
+  return drawing;
+}
+
 /// The texture and mesh of the state; the painted one with the paper's 7 x 7 points.
 FaceState paperTexture(FigureContext& context) {
   FaceState state = context.textured(context.state());
@@ -128,18 +140,20 @@ FigureDrawing drawTextureWarp(FigureContext& context) {
   warp.target = targetOn(context.neutralCurves(state), warp.source);
   const WarpMesh between = betweenPasses(warp);
   const QImage photograph = FigureContext::imageOf(warp.photograph), texture = warped(warp, warp.target);
+  const QImage rows = warped(warp, between);
   Plate plate;
-  plate.columns = context.settings().width < 120.0 ? 2 : 3;
+  plate.columns = context.isNarrow() ? 2 : 3;
   const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
   plate.panels = {picturePanel("Photograph", photograph),
                   overlaidPanel("Source mesh", photograph, meshDrawing(warp.source)),
-                  context.facePanel("The texture on the surface", state, SceneStyle(), width, faceShape),
-                  overlaidPanel("First pass: rows", warped(warp, between), meshDrawing(between)),
-                  picturePanel("Second pass: columns", texture),
-                  overlaidPanel("Target mesh in (v, u)", texture, meshDrawing(warp.target))};
+                  overlaidPanel("Target mesh", frontalHalf(texture), frontalHalf(meshDrawing(warp.target), texture)),
+                  overlaidPanel("First pass: rows", frontalHalf(rows), frontalHalf(meshDrawing(between), rows)),
+                  picturePanel("Second pass: columns", frontalHalf(texture)),
+                  context.facePanel("On the surface", state, SceneStyle(), width, faceShape)};
   plate.caption =
       "Two-pass mesh warping: the mesh over the photograph is taken to the places of the same features in "
-      "the surface's own coordinates v (across) and u (down).";
+      "the surface's own coordinates v (across; its frontal half is shown) and u (down)." +
+      std::string(context.settings().textures.empty() ? " The photograph is the texture painted by Mien." : "");
   return context.drawn(plate);
 }
 

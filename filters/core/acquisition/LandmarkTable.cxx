@@ -1,11 +1,11 @@
 #include "LandmarkTable.h"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "CommaText.h"
+#include "LineReader.h"
 #include "NumberText.h"
 #include "SmoothWarp.h"
 
@@ -31,11 +31,13 @@ constexpr std::array<std::pair<int, const char*>, 12> names = {{{8, "chin"},
 
 /// Columns of the file by name; -1 for one that is not there.
 struct Columns {
+  std::size_t count;
   int landmark, vertex;
   std::array<int, 3> position;
 
   explicit Columns(const Cells& header)
-      : landmark(columnNamed(header, "landmark")),
+      : count(header.size()),
+        landmark(columnNamed(header, "landmark")),
         vertex(columnNamed(header, "vertex")),
         position{columnNamed(header, "x"), columnNamed(header, "y"), columnNamed(header, "z")} {}
   bool hasPlane() const { return position[0] >= 0 && position[1] >= 0; }
@@ -65,6 +67,9 @@ class RowReader {
   RowReader(const Columns& columns, LandmarkTable& table) : columns_(columns), table_(table) {}
 
   std::string read(const Cells& cells) {
+    if (cells.size() != columns_.count)
+      return "there are " + std::to_string(cells.size()) + " cells under " + std::to_string(columns_.count) +
+             " columns";
     const std::string given = columns_.landmark >= 0 ? cellAt(cells, columns_.landmark) : std::to_string(next_++);
     const int landmark = parseLandmark(given);
     if (landmark < 0) return inQuotes(given) + " is no landmark number or name; numbers run from 0 to 67";
@@ -101,30 +106,30 @@ class RowReader {
   int next_ = 0;
 };
 
-bool isBlank(const Cells& cells) {
-  return std::all_of(cells.begin(), cells.end(), [](const std::string& cell) { return cell.empty(); });
+/// Without numbers rows count from 0, which is right only where no other column can be meant.
+std::string describeUnnumbered(const Cells& header) {
+  if (columnNamed(header, "landmark") >= 0) return {};
+  for (const std::string& name : header)
+    if (name != "vertex" && name != "x" && name != "y" && name != "z")
+      return "there is no column landmark, but " + inQuotes(name) +
+             "; call the column of the numbers landmark, or leave it out where rows run from landmark 0 to 67";
+  return {};
 }
 
 /// All lines of a file whose header was judged by `accepts`.
 template <class Accepts>
 std::string parseRows(const std::string& text, LandmarkTable& table, int& lines, Accepts accepts) {
-  std::istringstream stream(text);
-  std::string line;
-  std::getline(stream, line);
-  lines = 1;
-  const Columns columns(splitAtCommas(line));
-  const std::string fault = accepts(columns);
-  if (!fault.empty()) return "1: " + fault;
+  LineReader file(text);
+  file.next();
+  const Cells header = splitAtCommas(file.line());
+  const Columns columns(header);
+  std::string fault = accepts(columns);
+  if (fault.empty()) fault = describeUnnumbered(header);
   table.hasVertices = columns.vertex >= 0;
   RowReader reader(columns, table);
-  while (std::getline(stream, line)) {
-    ++lines;
-    const Cells cells = splitAtCommas(line);
-    if (isBlank(cells)) continue;
-    const std::string rowFault = reader.read(cells);
-    if (!rowFault.empty()) return std::to_string(lines) + ": " + rowFault;
-  }
-  return {};
+  while (fault.empty() && file.next()) fault = reader.read(splitAtCommas(file.line()));
+  lines = std::max(1, file.number());
+  return fault.empty() ? fault : std::to_string(lines) + ": " + fault;
 }
 
 std::string missingLandmark(const LandmarkTable::Given& given, bool onlyNamed) {

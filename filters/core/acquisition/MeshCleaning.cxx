@@ -50,24 +50,6 @@ std::vector<bool> firstOfTwins(const std::vector<Eigen::Vector3i>& triangles) {
   return first;
 }
 
-/// A mesh of these triangles with only the vertices they use, in their old order.
-TriangleMesh compacted(const TriangleMesh::Vertices& vertices, const std::vector<Eigen::Vector3i>& triangles) {
-  std::vector<int> number(static_cast<size_t>(vertices.rows()), -1);
-  for (const Eigen::Vector3i& t : triangles)
-    for (int i = 0; i < 3; ++i) number[t[i]] = 0;
-  int used = 0;
-  for (int& n : number)
-    if (n == 0) n = used++;
-  TriangleMesh mesh;
-  mesh.vertices.resize(used, 3);
-  for (int i = 0; i < vertices.rows(); ++i)
-    if (number[i] >= 0) mesh.vertices.row(number[i]) = vertices.row(i);
-  mesh.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (size_t t = 0; t < triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i) mesh.triangles(static_cast<Eigen::Index>(t), i) = number[triangles[t][i]];
-  return mesh;
-}
-
 /// Sums up the parts in the order in which they first occur.
 MeshParts measuredParts(const TriangleMesh& mesh) {
   JoinedSets sets(static_cast<size_t>(mesh.vertices.rows()));
@@ -96,6 +78,23 @@ MeshParts measuredParts(const TriangleMesh& mesh) {
 
 }  // namespace
 
+TriangleMesh withTriangles(const TriangleMesh::Vertices& vertices, const std::vector<Eigen::Vector3i>& triangles) {
+  std::vector<int> number(static_cast<size_t>(vertices.rows()), -1);
+  for (const Eigen::Vector3i& t : triangles)
+    for (int i = 0; i < 3; ++i) number[t[i]] = 0;
+  int used = 0;
+  for (int& n : number)
+    if (n == 0) n = used++;
+  TriangleMesh mesh;
+  mesh.vertices.resize(used, 3);
+  for (int i = 0; i < vertices.rows(); ++i)
+    if (number[i] >= 0) mesh.vertices.row(number[i]) = vertices.row(i);
+  mesh.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  for (size_t t = 0; t < triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) mesh.triangles(static_cast<Eigen::Index>(t), i) = number[triangles[t][i]];
+  return mesh;
+}
+
 CleanMesh cleaned(const TriangleMesh& mesh) {
   CleanMesh result;
   const std::vector<int> first = firstAtPlace(mesh.vertices);
@@ -111,7 +110,7 @@ CleanMesh cleaned(const TriangleMesh& mesh) {
   for (size_t t = 0; t < sound.size(); ++t)
     if (kept[t]) triangles.push_back(sound[t]);
   result.degenerateTriangles = static_cast<int>(mesh.triangles.rows()) - static_cast<int>(triangles.size());
-  result.mesh = compacted(mesh.vertices, triangles);
+  result.mesh = withTriangles(mesh.vertices, triangles);
   return result;
 }
 
@@ -135,7 +134,7 @@ TriangleMesh withParts(const TriangleMesh& mesh, const MeshParts& parts, const s
   std::vector<Eigen::Vector3i> triangles;
   for (int t = 0; t < mesh.triangles.rows(); ++t)
     if (wanted[parts.ofTriangle[t]]) triangles.push_back(mesh.triangles.row(t));
-  return compacted(mesh.vertices, triangles);
+  return withTriangles(mesh.vertices, triangles);
 }
 
 int boundaryLoops(const TriangleMesh& mesh) {

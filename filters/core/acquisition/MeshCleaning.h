@@ -32,6 +32,9 @@ MeshParts partsOf(const TriangleMesh& mesh);
 /// Only the triangles whose part is wanted; vertices without triangles go.
 TriangleMesh withParts(const TriangleMesh& mesh, const MeshParts& parts, const std::vector<bool>& wanted);
 
+/// Only these triangles, which refer to the vertices, and the vertices they use, in their old order.
+TriangleMesh withTriangles(const TriangleMesh::Vertices& vertices, const std::vector<Eigen::Vector3i>& triangles);
+
 /// Closed lines of edges that one triangle alone has: holes, and the rim of an open scan.
 int boundaryLoops(const TriangleMesh& mesh);
 

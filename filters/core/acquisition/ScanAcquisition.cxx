@@ -10,6 +10,7 @@
 #include "LengthUnit.h"
 #include "NumberText.h"
 #include "RadialSkin.h"
+#include "TriangleDistance.h"
 
 namespace mien {
 
@@ -22,6 +23,8 @@ constexpr double smallestScan = 180.0,
 constexpr double clearlyBetter = 1.5;
 constexpr double uprightWithin = 10.0 * M_PI / 180.0, nearWithin = 60.0;  // mm
 constexpr double usualEyes = 90.0;                                        // mm
+constexpr double deepestLandmarks = 2.0;                                  // mm, median
+constexpr double largestMisfit = 20.0;                                    // mm RMS
 const char* const stopped = "stopped before the curves were measured";
 
 std::string askForUnit(double millimetres) {
@@ -139,7 +142,14 @@ class Acquisition {
     report_.completedLandmarks = static_cast<int>(std::count(given.begin(), given.end(), false));
     const std::string fault = completeLandmarks(reference_.landmarks, given, result_.landmarks);
     if (!fault.empty()) return fault;
-    return report_.millimetres > 0.0 ? std::string() : recogniseUnit(eyeDistance(result_.landmarks), report_);
+    return describeShape();
+  }
+
+  /// The unit of given landmarks, and whether they lie on the scan.
+  std::string scaleGiven(const LandmarkTable::Given& given) {
+    const std::string fault =
+        report_.millimetres > 0.0 ? std::string() : recogniseUnit(eyeDistance(result_.landmarks), report_);
+    return fault.empty() ? describeDepth(given) : fault;
   }
 
   /// Landmarks by fitting, in the scan's unit and frame.
@@ -164,7 +174,17 @@ class Acquisition {
     return {};
   }
 
-  void compare(const FaceLandmarks& fitted) {
+  /// What cannot be compared is no fault of the acquisition, only a remark.
+  std::string compare(const Progress& progress) {
+    FaceLandmarks fitted;
+    const std::string fault = fit(fitted, progress);
+    if (fault == stopped) return fault;
+    report_.uncomparedReason = fault.substr(0, fault.find(';'));  // without the advice to give landmarks
+    if (fault.empty()) compareWith(fitted);
+    return {};
+  }
+
+  void compareWith(const FaceLandmarks& fitted) {
     const Eigen::VectorXd distances = report_.millimetres * (fitted.points - result_.landmarks.points).rowwise().norm();
     report_.landmarkRMS = std::sqrt(distances.squaredNorm() / FaceLandmarks::count);
     report_.landmarkMaximum = distances.maxCoeff();
@@ -223,6 +243,32 @@ class Acquisition {
     return false;
   }
 
+  /// Places in another order, or vertices of another mesh, are no face in any pose and size.
+  std::string describeShape() const {
+    const Similarity::Points& places = result_.landmarks.points;
+    const Similarity motion =
+        fitSimilarity(places, reference_.landmarks.points, Eigen::VectorXd::Ones(FaceLandmarks::count), false);
+    const double misfit =
+        std::sqrt((motion.applied(places) - reference_.landmarks.points).rowwise().squaredNorm().mean());
+    if (misfit <= largestMisfit) return {};
+    return "the landmarks do not lie as those of a face do: in the best pose and size they are " + roundedText(misfit) +
+           " mm (RMS) from the generic ones (at most " + roundedText(largestMisfit) +
+           " are allowed); check their numbers, and whether vertices are those of this mesh";
+  }
+
+  std::string describeDepth(const LandmarkTable::Given& given) {
+    std::vector<double> depths;
+    for (int i = 0; i < FaceLandmarks::count; ++i)
+      if (given[i]) depths.push_back(report_.millimetres * distanceTo(scan_, result_.landmarks[i]));
+    const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+    std::nth_element(depths.begin(), middle, depths.end());
+    report_.landmarkDepth = *middle;
+    if (*middle <= deepestLandmarks) return {};
+    return "the landmarks lie " + roundedText(*middle) + " mm (median) off the scan (at most " +
+           roundedText(deepestLandmarks) +
+           " are allowed); give landmarks of this scan, in its unit and frame, or leave them out to have them fitted";
+  }
+
   const TriangleMesh& scan_;
   const FaceTemplate& reference_;
   const ScanSettings& settings_;
@@ -241,13 +287,10 @@ std::string acquireScan(const CleanMesh& scan, const LandmarkTable::Given& given
   AcquiredScan result;
   Acquisition acquisition(scan, reference, settings, result);
   const bool known = any(given);
-  FaceLandmarks fitted;
   std::string fault =
       known ? acquisition.place(given, landmarks) : acquisition.fit(result.landmarks, partOf(progress, 0.0, 0.9));
-  if (fault.empty() && known && settings.compareLandmarks) {
-    fault = acquisition.fit(fitted, partOf(progress, 0.0, 0.9));
-    if (fault.empty()) acquisition.compare(fitted);
-  }
+  if (fault.empty() && known) fault = acquisition.scaleGiven(given);
+  if (fault.empty() && known && settings.compareLandmarks) fault = acquisition.compare(partOf(progress, 0.0, 0.9));
   if (!fault.empty()) return fault;
   acquisition.normalise();
   acquisition.dropParts();

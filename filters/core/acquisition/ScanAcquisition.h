@@ -43,6 +43,8 @@ struct ScanReport {
   double fitRelief = 0.0;                           ///< HeadFit::relief
   double fitSize = 1.0;                             ///< of this head against the reference face
   double landmarkRMS = 0.0, landmarkMaximum = 0.0;  ///< between given and fitted landmarks, when both are known
+  double landmarkDepth = 0.0;                       ///< median distance of the given landmarks to the scan
+  std::string uncomparedReason;  ///< why given landmarks could not be compared with fitted ones, when they should be
 };
 
 /// The boundary curves of a scanned head and what they were measured on, in one frame (mm, +x the subject's left, +y
@@ -58,6 +60,7 @@ struct AcquiredScan {
 /// into the frame of the reference face and measures the curves (acquireFace).
 ///
 /// Without landmarks the reference face is laid over the largest part of the scan (fitHead, registerFace).
+/// Given landmarks must look like a face and lie on the scan.
 /// @param given  which of `landmarks` (in the scan's unit and frame) are given; none: all are fitted
 /// @return nothing, or one sentence that says what is wrong and what to do
 std::string acquireScan(const CleanMesh& scan, const LandmarkTable::Given& given, const FaceLandmarks& landmarks,

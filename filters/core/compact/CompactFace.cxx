@@ -42,9 +42,10 @@ float notBelow(double value) {
 CurveLevels levelsWithin(const ClosedCurves& curves, double tolerance) {
   const CurveCoder coder(curves.pointsPerCurve);
   const Eigen::VectorXd coefficients = coder.coefficients(curves);
-  const auto fits = [&](double step) {
-    return errorsOf(coder.curves(coder.levels(coefficients, step)), curves).rms <= tolerance;
+  const auto levelsAt = [&](double step) {  // the step as the file keeps it
+    return coder.levels(coefficients, static_cast<double>(static_cast<float>(step)));
   };
+  const auto fits = [&](double step) { return errorsOf(coder.curves(levelsAt(step)), curves).rms <= tolerance; };
   double fine = tolerance, coarse = 2.0 * tolerance;
   while (!fits(fine)) fine *= 0.5;  // errors are at most 0.57 steps in each coordinate
   constexpr int doublings = 6, halvings = 12;
@@ -56,7 +57,7 @@ CurveLevels levelsWithin(const ClosedCurves& curves, double tolerance) {
     const double middle = std::sqrt(fine * coarse);
     (fits(middle) ? fine : coarse) = middle;
   }
-  return coder.levels(coefficients, static_cast<double>(static_cast<float>(fine)));
+  return levelsAt(fine);
 }
 
 void writePupil(const Eigen::Vector3d& pupil, ByteWriter& bytes) {

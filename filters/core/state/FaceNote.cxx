@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "Counted.h"
 #include "NumberText.h"
 #include "TableTitle.h"
 
@@ -25,10 +26,6 @@ std::string joined(const std::vector<std::string>& parts, const char* between) {
   std::string all;
   for (const std::string& part : parts) all += (all.empty() ? "" : between) + part;
   return all;
-}
-
-std::string counted(size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
 std::string frameText(const FaceState& state) {

@@ -1,0 +1,31 @@
+#include "WholeFile.h"
+
+#include <filesystem>
+#include <system_error>
+#include <vtksys/FStream.hxx>
+
+namespace mien {
+
+WholeFile::~WholeFile() {
+  std::error_code ignored;
+  std::filesystem::remove(temporaryName_, ignored);
+}
+
+bool WholeFile::fill(const std::string& bytes) const {
+  vtksys::ofstream file(temporaryName_.c_str(), std::ios::binary);
+  file << bytes << std::flush;
+  return static_cast<bool>(file);
+}
+
+bool WholeFile::commit() {
+  std::error_code fault;
+  std::filesystem::rename(temporaryName_, name_, fault);
+  return !fault;
+}
+
+std::string WholeFile::write(const std::string& name, const std::string& bytes) {
+  WholeFile file(name);
+  return file.fill(bytes) && file.commit() ? std::string() : unwritable;
+}
+
+}  // namespace mien
