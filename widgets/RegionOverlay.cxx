@@ -15,6 +15,7 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <Eigen/Geometry>
 #include <QEvent>
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,8 @@ constexpr double sizeShare = 1.0 / 32.0;  // of the view's height
 constexpr int leastSize = 14;             // pt
 constexpr double emphasis = 1.4;          // of the number of the region that stands out
 constexpr double leastTowards = 0.3;      // cosine between skin and the way to the camera, for a number's place
-constexpr double paleness = 0.75;         // of regions that do not stand out
+constexpr double coverDepth = 12.0, coverReach = 5.0;  // mm: skin that hides a place, in front of it and aside
+constexpr double paleness = 0.75;                      // of regions that do not stand out
 
 // Of region 1 .. 16; neighbours differ, mirrored regions are alike where they do not touch. After Okabe and Ito,
 // lighter.
@@ -95,7 +97,23 @@ struct RegionPoints {
       least[index] = distance;
       nearest[index] = i;
     }
+    leaveOutHidden(nearest);
     return nearest;
+  }
+
+  /// Takes out points with skin between them and the camera, as a cheek behind the nose.
+  void leaveOutHidden(std::array<vtkIdType, 16>& points) const {
+    const std::array<vtkIdType, 16> asked = points;
+    std::array<Eigen::Vector3d, 16> places;
+    for (int k = 0; k < 16; ++k) places[k] = asked[k] < 0 ? Eigen::Vector3d::Zero() : place(asked[k]);
+    for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
+      const Eigen::Vector3d other = place(i);
+      for (int k = 0; k < 16; ++k) {
+        const Eigen::Vector3d way = other - places[k];
+        const double nearer = way.dot(towards);
+        if (nearer > coverDepth && way.squaredNorm() - nearer * nearer < coverReach * coverReach) points[k] = -1;
+      }
+    }
   }
 
   Eigen::Vector3d place(vtkIdType point) const { return Eigen::Vector3d(skin->GetPoint(point)); }
