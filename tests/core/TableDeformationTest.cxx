@@ -62,9 +62,24 @@ TEST(TableDeformation, FarFromTheFaceNothingMoves) {
   const auto points = grid(5.0);
   const auto result = moves(points, unruly(), true);
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (std::abs(points[i].position.x()) > 110.0 || points[i].position.y() < -125.0) {
+    if (std::abs(points[i].position.x()) > 116.0 || points[i].position.y() < -140.0) {
       EXPECT_EQ(result[i].norm(), 0.0);
     }
+}
+
+TEST(TableDeformation, NothingRunsAwayBeyondTheOutline) {
+  const FacialRegions regions = regionMap();
+  DeformationTable table = unruly();
+  table.largestDisplacement = 10.0;  // no limit
+  const auto points = grid(4.0);
+  const auto result = moves(points, table, true);
+  double within = 0.0, beyond = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool face = regions.covers(pupils().apply(points[i].position).head<2>());
+    (face ? within : beyond) = std::max(face ? within : beyond, result[i].norm());
+  }
+  EXPECT_GT(beyond, 0.0);
+  EXPECT_LE(beyond, within) << "quadratics grow with the square of the distance";
 }
 
 TEST(TableDeformation, SmoothIsContinuousWhereHardTears) {

@@ -11,6 +11,7 @@ namespace mien {
 namespace {
 
 constexpr int knownVersion = 1;
+constexpr double rounding = 0.1;  // of the corner where places beyond the outline stop moving outwards, of its size
 
 double finite(const Json& json, const char* key, double smallest, double largest) {
   const double value = json.at(key).get<double>();
@@ -62,9 +63,17 @@ struct FacialRegions::Reader {
  private:
   static void readOutline(const Json& outline, FacialRegions& parsed) {
     parsed.outlineCentre_ = pair(outline, "centre");
-    parsed.outlineRadii_ = pair(outline, "radii");
-    if (parsed.outlineRadii_.minCoeff() <= 0.0) refuse("radii must be positive");
-    parsed.outlineExponent_ = finite(outline, "exponent", 1.0, 20.0);
+    const Eigen::Vector2d radii = pair(outline, "radii");
+    if (radii.minCoeff() <= 0.0) refuse("radii must be positive");
+    parsed.outlineAside_ = radii.x();
+    parsed.above_ = {radii.y(), finite(outline, "exponent", 1.0, 20.0)};
+    parsed.below_ = parsed.above_;
+    if (outline.contains("below"))
+      within("below", [&] {
+        const Json& below = outline.at("below");
+        parsed.below_ = {finite(below, "radius", 1e-3, 100.0), finite(below, "exponent", 1.0, 20.0)};
+      });
+    if (outline.contains("begin")) parsed.outlineBegin_ = finite(outline, "begin", 1e-3, 10.0);
     parsed.outlineFade_ = finite(outline, "fade", 1e-3, 10.0);
   }
 
@@ -119,10 +128,24 @@ FacialRegions::Weights FacialRegions::weights(const Eigen::Vector2d& point, cons
   return result;
 }
 
+double FacialRegions::outlineRadius(const Eigen::Vector2d& point) const {
+  const Eigen::Vector2d offset = point - outlineCentre_;
+  const HalfOutline& half = offset.y() < 0.0 ? below_ : above_;
+  return std::pow(std::pow(std::abs(offset.x()) / outlineAside_, half.exponent) +
+                      std::pow(std::abs(offset.y()) / half.radius, half.exponent),
+                  1.0 / half.exponent);
+}
+
 double FacialRegions::outlineWeight(const Eigen::Vector2d& point) const {
-  const Eigen::Array2d ratio = ((point - outlineCentre_).array() / outlineRadii_.array()).abs();
-  const double radius = std::pow(ratio.pow(outlineExponent_).sum(), 1.0 / outlineExponent_);
-  return smoothStep(1.0 - (radius - 1.0) / outlineFade_);
+  return smoothStep(1.0 - (this->outlineRadius(point) - outlineBegin_) / outlineFade_);
+}
+
+Eigen::Vector2d FacialRegions::followed(const Eigen::Vector2d& point) const {
+  const double radius = this->outlineRadius(point), beyond = radius - (1.0 - rounding);
+  if (beyond <= 0.0) return point;
+  // A parabola from slope 1 at 1 - rounding to slope 0 at 1 + rounding.
+  const double kept = beyond < 2.0 * rounding ? radius - beyond * beyond / (4.0 * rounding) : 1.0;
+  return outlineCentre_ + kept / radius * (point - outlineCentre_);
 }
 
 double FacialRegions::depthWeight(double z) const {

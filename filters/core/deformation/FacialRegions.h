@@ -55,8 +55,15 @@ class FacialRegions {
   double lipReach() const { return lips_.reach; }
   double lidReach() const { return lids_.reach; }
 
-  /// 1 where tables are fitted, 0 beyond the face's outline, smooth between.
+  /// Whether a point lies within the face's outline, where tables are fitted.
+  bool covers(const Eigen::Vector2d& point) const { return this->outlineRadius(point) <= 1.0; }
+
+  /// 1 on the face, 0 far beyond its outline, smooth between.
   double outlineWeight(const Eigen::Vector2d& point) const;
+
+  /// The place whose movement a point follows: itself on the face, and beyond the outline the place on it in the
+  /// direction of the outline's centre, because quadratics run away from the points they were fitted to. Smooth.
+  Eigen::Vector2d followed(const Eigen::Vector2d& point) const;
 
   /// 1 on the face, 0 behind it, where the ears are: z in pupil units, smooth between.
   double depthWeight(double z) const;
@@ -66,6 +73,14 @@ class FacialRegions {
 
  private:
   struct Reader;
+
+  /// Half a superellipse about the outline's centre.
+  struct HalfOutline {
+    double radius = 0.0, exponent = 0.0;  ///< along y
+  };
+
+  /// 0 at the outline's centre, 1 on it.
+  double outlineRadius(const Eigen::Vector2d& point) const;
   Weights distances(const Eigen::Vector2d& point, const FaceSide& side) const;
 
   int version_ = 0;
@@ -73,8 +88,10 @@ class FacialRegions {
   std::array<Eigen::Vector2d, count> centres_;
   std::array<int, count> mirrored_{};
   double blend_ = 0.0;
-  Eigen::Vector2d outlineCentre_, outlineRadii_;
-  double outlineExponent_ = 0.0, outlineFade_ = 0.0;
+  Eigen::Vector2d outlineCentre_;
+  double outlineAside_ = 0.0;  ///< its radius along x
+  HalfOutline above_, below_;  ///< of its centre
+  double outlineBegin_ = 1.0, outlineFade_ = 0.0;
   Slit lips_, lids_;
   std::array<double, 2> depthRange_{};
 };
