@@ -17,6 +17,7 @@ constexpr double headShare = 0.5;                          // of a short arrow
 constexpr double labelGap = 1.5;                           // pt, between a point and its label
 
 QPen penOf(const PlaneStroke& stroke, const FigureTheme& theme) {
+  if (stroke.width <= 0.0) return Qt::NoPen;  // Qt draws a hairline
   QPen pen(stroke.color.isValid() ? stroke.color : theme.text, figureUnitsFromPoints(stroke.width));
   pen.setJoinStyle(Qt::RoundJoin);
   pen.setCapStyle(Qt::RoundCap);
@@ -85,6 +86,11 @@ void PlaneDrawingPainter::paintLabel(QPainter& painter, const FigureTheme& theme
   if (alignment & Qt::AlignHCenter) place.rx() -= 0.5 * width;
   if (alignment & Qt::AlignTop) place.ry() += 0.5 * font.pixelSize() + gap;
   if (alignment & Qt::AlignBottom) place.ry() -= 0.5 * font.pixelSize() + gap;
+  if (label.clear && theme.background.isValid()) {
+    const double height = font.pixelSize(), margin = 0.1 * height;
+    painter.fillRect(QRectF(place.x() - margin, place.y() - 0.82 * height, width + 2.0 * margin, 1.02 * height),
+                     theme.background);
+  }
   painter.setFont(font);
   painter.setPen(label.color.isValid() ? label.color : theme.text);
   painter.drawText(place, label.text);
