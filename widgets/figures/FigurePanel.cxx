@@ -11,7 +11,7 @@ PlatePanel figurePanel(const std::string& heading, const Figure& figure, double 
   const double natural = FigurePainter(figure, FigureTheme::all().front(), width + 2.0 * border).size().height() / unit;
   const double height = heightShare * natural;
   const auto paint = [figure, height](QPainter& painter, const QRectF& place, const FigureTheme& theme) {
-    painter.setClipRect(place);  // the plate has a border of its own
+    painter.setClipRect(place.adjusted(-unit * border, 0.0, unit * border, 0.0));  // the plate has a background
     painter.translate(place.topLeft() - unit * QPointF(border, border));
     FigurePainter(figure, theme, place.width() / unit + 2.0 * border, height).paint(painter);
   };

@@ -9,7 +9,7 @@ namespace mien {
 
 namespace {
 
-constexpr double tick = 0.7, numbersRoom = 5.5, unitPlace = 4.2, unitRoom = 6.2;  // mm
+constexpr double tick = 0.7, numbersRoom = 5.5, unitPlace = 5.4, unitRoom = 7.0;  // mm
 constexpr double numberSize = 6.0;                                                // pt
 constexpr double rounding = 1e-9;                                                 // of a step
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double twoColumns = 120.0;  // mm: below this the panels stand one below the other
 constexpr double nameHeight = 2.2;    // mm on paper that a name needs
-constexpr double nameWidth = 5.5;     // mm on paper, of "C22'"
+constexpr double nameWidth = 6.3;     // mm on paper, of "C22'"
 constexpr double leaders = 8.0;       // mm of the face, from the curves to their names
 constexpr double patchesWidth = 6.0;  // mm on paper: brackets and names of the patches
 

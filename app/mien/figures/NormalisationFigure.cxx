@@ -15,6 +15,7 @@ namespace {
 // How the face of the example lies in its photograph: turned, shifted, 3.1 pixels per mm.
 constexpr double turn = 14.0 * M_PI / 180.0, pixelsPerMillimetre = 3.1;
 const Eigen::Vector2d shift(310.0, 420.0);
+constexpr double labelDistance = 2.4;  // mm on paper, from a pupil to the middle of its name
 
 /// Lines of the face and its pupils in one plane.
 struct Pose {
@@ -69,11 +70,11 @@ struct Scale {
   QString unit;
 };
 
-void addPupil(PlaneDrawing& drawing, const Eigen::Vector2d& at, const QString& name, Qt::AlignmentFlag side) {
+void addPupil(PlaneDrawing& drawing, const Eigen::Vector2d& at, const QString& name, double above) {
   const QColor color("#d55e00");
   drawing.marks.push_back({pointOf(at), 1.6, {color, 0.5, false, color}});
   const QString text = QString("%1 (%2, %3)").arg(name).arg(std::lround(at.x())).arg(std::lround(at.y()));
-  drawing.labels.push_back({pointOf(at), text, 6.0, Qt::AlignHCenter | side, color, true, true});
+  drawing.labels.push_back({pointOf(at) + QPointF(0.0, above), text, 6.0, Qt::AlignCenter, color, true, true});
 }
 
 /// The face, the lines x = 0 and y = 0, the pupils with their coordinates, and axes.
@@ -92,8 +93,9 @@ PoseDrawing drawingOf(const Pose& pose, const Scale& scale, double width) {
     drawing.lines.push_back({segment({0.0, range.top()}, {0.0, range.bottom()}), zero});
   }
   drawing.lines.push_back({segment(pointOf(pose.right), pointOf(pose.left)), {QColor("#d55e00"), 0.7}});
-  addPupil(drawing, pose.right, "p1", Qt::AlignTop);
-  addPupil(drawing, pose.left, "p2", Qt::AlignBottom);
+  const double above = labelDistance * range.width() / width;
+  addPupil(drawing, pose.right, "p1", -above);
+  addPupil(drawing, pose.left, "p2", above);
   panel.shown = addPlaneAxes(drawing, range, scale.step, scale.unit, width);
   return panel;
 }
