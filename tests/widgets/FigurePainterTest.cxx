@@ -123,7 +123,7 @@ TEST_F(FigurePainter, BarsReachFromZeroToTheirValue) {
 TEST_F(FigurePainter, NamesThatDoNotFitAreLeftOutNotDrawnOverEachOther) {
   mien::Figure figure = oneLine();
   mien::Chart& chart = figure.panels[0];
-  for (int i = 0; i < 40; ++i) chart.x.categories.push_back(std::to_string(i));
+  for (int i = 0; i < 100; ++i) chart.x.categories.push_back(std::to_string(i));
   chart.x.categories.push_back("rest");
   auto texts = QRegularExpression("<text[^>]* x=\"([^\"]*)\"[^>]*>([^<]*)</text>").globalMatch(svg(figure));
   std::map<double, QString> names;
