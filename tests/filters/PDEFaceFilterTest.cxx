@@ -12,7 +12,6 @@
 #include "vtkFieldData.h"
 #include "vtkGeometryFilter.h"
 #include "vtkNew.h"
-#include "vtkOrderedGeometryFilter.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -257,37 +256,6 @@ TEST(PDEFaceFilter, KeptOperatorsGiveWhatNewOnesGive) {
   fresh.filter->Update();
   for (vtkIdType i = 0; i < fresh.grid()->GetNumberOfPoints(); ++i)
     for (int c = 0; c < 3; ++c) EXPECT_EQ(kept.grid()->GetPoint(i)[c], fresh.grid()->GetPoint(i)[c]);
-}
-
-// vtkGeometryFilter joins the cells of its threads as they end; large grids came in another order on every run.
-TEST(OrderedGeometryFilter, CellsKeepTheOrderOfTheGrid) {
-  Face face;
-  face.filter->SetResolution(448, 160);
-  vtkNew<vtkOrderedGeometryFilter> surface;
-  surface->SetInputConnection(face.filter->GetOutputPort());
-  for (int run = 0; run < 8; ++run) {
-    surface->Modified();
-    surface->Update();
-    vtkPolyData* polygons = surface->GetOutput();
-    vtkDataArray* patches = polygons->GetCellData()->GetArray("PatchId");
-    ASSERT_NE(patches, nullptr);
-    EXPECT_EQ(polygons->GetCellData()->GetNumberOfArrays(), face.grid()->GetCellData()->GetNumberOfArrays());
-    EXPECT_GT(polygons->GetNumberOfCells(), 440 * 160);
-    vtkIdType last = -1, unordered = 0, wrong = 0;
-    for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell) {
-      vtkIdType size = 0;
-      const vtkIdType* points = nullptr;
-      polygons->GetCellPoints(cell, size, points);
-      const vtkIdType first = *std::min_element(points, points + size);
-      const vtkIdType row = first / 161, column = first % 161;
-      unordered += first <= last;
-      wrong += patches->GetComponent(cell, 0) !=
-               face.grid()->GetCellData()->GetArray("PatchId")->GetComponent(row * 160 + column, 0);
-      last = first;
-    }
-    EXPECT_EQ(unordered, 0);
-    EXPECT_EQ(wrong, 0) << "cell data move with their cells";
-  }
 }
 
 TEST(PDEFaceFilter, PrecisionIsThatAskedFor) {
