@@ -40,7 +40,7 @@ vtkSmartPointer<vtkPointSet> deform(vtkPointSet* data, const DeformationTable& t
     filter->SetRightPupil(pupils->right.data());
   }
   filter->Update();
-  if (!errors.first().empty()) throw FileFailure(file + ": " + errors.first());
+  if (!errors.first().empty()) throw FileFailure(file + ": " + surfaceFault(errors.first()));
   return vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
@@ -99,6 +99,7 @@ void deformMarkers(PointTable& markers, const DeformationTable& table, const Def
 
 vtkSmartPointer<vtkPointSet> deformSurface(vtkPointSet* surface, const DeformationTable& table,
                                            const DeformationOptions& options, const std::string& file) {
+  options.reading.requirePupilsInSpace();
   const MarkerOptions names = options.reading.markers();
   const auto moved = deform(surface, table, options, names.neutralPupils ? &*names.neutralPupils : nullptr, file);
   const bool told = !options.landmarks.empty() || surface->GetPointData()->HasArray("LipSide") ||
