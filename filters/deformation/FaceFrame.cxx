@@ -7,6 +7,7 @@
 #include "BoundaryCurveData.h"
 #include "DefaultRegions.h"
 #include "FaceLandmarks.h"
+#include "FacePosture.h"
 #include "GridFaceSides.h"
 #include "MeshEdgeData.h"
 #include "MeshLandmarks.h"
@@ -120,6 +121,14 @@ std::string readPoints(vtkPointSet* data, FaceFrame& frame, const Progress& prog
   return {};
 }
 
+std::string describePosture(const FaceFrame& frame) {
+  return frame.isMesh && standsOnItsHead(frame.points, frame.pupils)
+             ? "the nose lies above the eyes; exchange the pupils (the subject's own left one has the larger x), or "
+               "turn "
+               "the face upright"
+             : "";
+}
+
 /// Sides that the data bring along. @return whether there are any
 bool readSideArrays(vtkPointSet* data, FaceFrame& frame, std::string& fault) {
   vtkDataArray *lips = pointArray(data, "LipSide", 1), *lids = pointArray(data, "LidSide", 1);
@@ -216,6 +225,7 @@ std::string readFaceFrame(vtkPointSet* data, const FaceFrameOptions& options, co
   if (!goesOn(progress, 0.0)) return stopped;
   std::string fault = readPupils(reading);
   if (fault.empty()) fault = readPoints(data, frame, partOf(progress, 0.2, 0.5));
+  if (fault.empty()) fault = describePosture(frame);
   if (fault.empty()) fault = readSides(reading, regions, partOf(progress, 0.5, 0.9));
   if (fault.empty()) fault = readEyesAndPose(reading);
   if (fault.empty() && !goesOn(progress, 1.0)) fault = stopped;

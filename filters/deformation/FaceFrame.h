@@ -43,7 +43,8 @@ MIENDEFORMATION_EXPORT std::string readPupils(vtkPointSet* data, const FaceFrame
 /// else by u on a PDE face (a structured grid with `PatchId`), by distance along the surface on a mesh with landmarks,
 /// or by the number of points named landmarkNN in the point array `marker`. Regions are those of the point array
 /// `region` (1 .. 16, 0: by place). Eyeballs of a mesh with landmarks stay where they are. A mesh whose landmarks look
-/// more than 10 degrees away from +z gets a warning, more than 45 is refused. When `progress` says stop, what is
+/// more than 10 degrees away from +z gets a warning, more than 45 is refused, and so is one whose nose lies above its
+/// eyes. When `progress` says stop, what is
 /// returned is a sentence too.
 MIENDEFORMATION_EXPORT std::string readFaceFrame(vtkPointSet* data, const FaceFrameOptions& options,
                                                  const FacialRegions& regions, FaceFrame& frame,

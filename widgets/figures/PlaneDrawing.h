@@ -10,7 +10,7 @@ namespace mien {
 /// How the strokes of a drawing look. Colours left invalid are the theme's text colour.
 struct PlaneStroke {
   QColor color = {};
-  double width = 0.6;  ///< pt
+  double width = 0.6;  ///< pt; 0: none
   bool dashed = false;
   QColor fill = {};  ///< invalid: not filled
 };
@@ -35,6 +35,7 @@ struct PlaneDrawing {
     int alignment = 0x84;  ///< Qt::Alignment of the text to its point: Qt::AlignCenter; AlignLeft stands right of it
     QColor color = {};
     bool bold = false;
+    bool halo = false;  ///< of the theme's background, so that lines end before the text
   };
 
   std::vector<Line> lines;

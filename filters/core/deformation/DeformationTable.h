@@ -21,7 +21,7 @@ struct DeformationTable {
   std::optional<Deviations> deviations;  ///< standard deviation of every coefficient over subjects
   double largestDisplacement = 0.0;      ///< of the points it was fitted to, pupil units; 0: not known
 
-  /// Nothing, or one sentence that names the first region with a coefficient beyond the limit.
+  /// What no file may hold, a coefficient, deviation or displacement beyond the limit, in one sentence; or nothing.
   std::string describeExcess() const;
 
   /// Between this table (0) and another (1), coefficient by coefficient; beyond 0 .. 1 it extrapolates. No deviations.

@@ -92,7 +92,7 @@ std::string TableFit::warning() const {
   if (!empty.empty()) text = listed(empty) + (empty.size() == 1 ? " has" : " have") + " no point and will not move";
   if (!sparse.empty())
     text += (text.empty() ? "" : "; ") + listed(sparse) + (sparse.size() == 1 ? " has" : " have") +
-            " fewer than 6 independent points and lean on an affine fit";
+            " fewer than 6 independent points and " + (sparse.size() == 1 ? "leans" : "lean") + " on an affine fit";
   return text.empty() ? text : text + "; add markers there";
 }
 
