@@ -87,7 +87,7 @@ FigureDrawing drawMouth(FigureContext& context) {
   for (size_t i = 0; i < drawings.size(); ++i)
     plate.panels.push_back(drawingPanel(mouthCases()[i].heading, drawings[i], shown));
   plate.caption =
-      "C21, C23 (black) and the inner contours C22, C22' (orange) with the paths of their samples (blue); dashed: at "
+      "C21, C23 (outer) and the inner contours C22, C22' (orange) with the paths of their samples (blue); dashed: at "
       "rest, grey: in between. The contours open as one arch between the corners; where lips would cross, contact "
       "bends the paths. (d) All six FAPs of (a) to (c) together.";
   return context.drawn(plate);
