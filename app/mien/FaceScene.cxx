@@ -5,6 +5,7 @@
 #include "FacePipeline.h"
 #include "FaceTexture.h"
 #include "Failure.h"
+#include "MouthSack.h"
 #include "SmoothCurves.h"
 #include "vtkActor.h"
 #include "vtkBoundaryCurveReader.h"
@@ -33,22 +34,39 @@ vtkSmartPointer<vtkAlgorithm> outwards(FacePipeline& pipeline) {
 
 }  // namespace
 
-FaceScene::FaceScene(FacePipeline& pipeline, const SceneStyle& style)
+vtkSmartPointer<vtkImageData> faceTexture(FacePipeline& pipeline) {
+  if (pipeline.state().texture.empty()) return nullptr;
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  const std::string fault = makeFaceTexture(pipeline.state(), pipeline.neutralCurves()->GetOutput(), image);
+  if (!fault.empty()) throw FileFailure(fault);
+  return image;
+}
+
+FaceScene::FaceScene(FacePipeline& pipeline, const SceneStyle& style, const vtkSmartPointer<vtkImageData>& texture)
     : SurfaceScene(outwards(pipeline), style), pipeline_(pipeline) {
-  if (!pipeline.state().texture.empty()) addTexture();
+  if (style.mesh != SceneStyle::Mesh::Wireframe && style.colorBy.empty()) addMouth();
+  if (texture) addTexture(texture);
   if (style.curves) addCurves();
 }
 
 FaceScene::~FaceScene() = default;
 
+/// Else the background shows through an open mouth wherever the back of the head ends.
+void FaceScene::addMouth() {
+  mouthMapper_->SetInputData(mouthSack(nullptr));
+  mouthMapper_->ScalarVisibilityOff();
+  vtkNew<vtkActor> mouth;
+  mouth->SetMapper(mouthMapper_);
+  mouth->GetProperty()->LightingOff();
+  mouth->GetProperty()->SetColor(mouthColor[0], mouthColor[1], mouthColor[2]);
+  renderer()->AddActor(mouth);
+}
+
 /// Colours come from the photograph alone. The inside of the mouth, which it does not show, stays as it is.
-void FaceScene::addTexture() {
+void FaceScene::addTexture(vtkImageData* image) {
   if (!style().colorBy.empty()) throw ValueFailure("--texture and --color-by both colour the surface; give one");
   if (style().mesh == SceneStyle::Mesh::Wireframe)
     throw ValueFailure("--texture needs a surface; leave out --style wireframe");
-  vtkNew<vtkImageData> image;
-  const std::string fault = makeFaceTexture(pipeline_.state(), pipeline_.neutralCurves()->GetOutput(), image);
-  if (!fault.empty()) throw FileFailure(fault);
   vtkNew<vtkTexture> texture;
   texture->SetInputData(image);
   texture->InterpolateOn();
@@ -72,11 +90,12 @@ void FaceScene::addCurves() {
 }
 
 void FaceScene::updateCurves() {
-  pipeline_.shownCurves()->Update();
   curveMapper_->SetInputData(smoothCurves(vtkPolyData::SafeDownCast(pipeline_.shownCurves()->GetOutputDataObject(0))));
 }
 
 vtkSmartPointer<vtkImageData> FaceScene::render() {
+  pipeline_.shownCurves()->Update();
+  mouthMapper_->SetInputData(mouthSack(vtkPolyData::SafeDownCast(pipeline_.shownCurves()->GetOutputDataObject(0))));
   if (style().curves) updateCurves();
   return SurfaceScene::render();
 }

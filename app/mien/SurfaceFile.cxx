@@ -3,9 +3,9 @@
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
-#include "vtkGeometryFilter.h"
 #include "vtkNew.h"
 #include "vtkOBJWriter.h"
+#include "vtkOrderedGeometryFilter.h"
 #include "vtkPLYWriter.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
@@ -18,7 +18,7 @@
 namespace mien {
 
 vtkSmartPointer<vtkPolyData> outwardPolygons(vtkStructuredGrid* grid, bool triangles) {
-  vtkNew<vtkGeometryFilter> polygons;
+  vtkNew<vtkOrderedGeometryFilter> polygons;
   polygons->SetInputData(grid);
   vtkNew<vtkReverseSense> outwards;  // the normals point outwards already
   outwards->SetInputConnection(polygons->GetOutputPort());
