@@ -37,6 +37,7 @@ FacialRegions::Slit slit(const Json& json) {
   FacialRegions::Slit result;
   result.reach = finite(json, "reach", 1e-3, 10.0);
   result.separation = finite(json, "separation", 0.0, 10.0);
+  if (json.contains("aside")) result.aside = finite(json, "aside", 0.0, 10.0);
   for (const auto& [key, side] : {std::pair("upper", 1.0), {"lower", -1.0}})
     for (const int region : json.at(key).get<std::vector<int>>()) {
       if (region < 1 || region > FacialRegions::count) refuse("region numbers run from 1 to 16");
@@ -107,10 +108,12 @@ std::string FacialRegions::parse(const std::string& text, int* faultLine) {
 }
 
 FacialRegions::Weights FacialRegions::distances(const Eigen::Vector2d& point, const FaceSide& side) const {
+  const auto further = [](const Slit& slit, int i, double on) {
+    return slit.sides[i] == 0.0 ? slit.aside * std::abs(on) : slit.separation * std::max(-slit.sides[i] * on, 0.0);
+  };
   Weights result;
   for (int i = 0; i < count; ++i)
-    result[i] = (centres_[i] - point).norm() + lips_.separation * std::max(-lips_.sides[i] * side.lips, 0.0) +
-                lids_.separation * std::max(-lids_.sides[i] * side.lids, 0.0);
+    result[i] = (centres_[i] - point).norm() + further(lips_, i, side.lips) + further(lids_, i, side.lids);
   return result;
 }
 

@@ -20,8 +20,9 @@ struct FaceSide {
 /// Hard regions are those of the nearest centre. Smooth weights are a partition of unity that equals the hard regions
 /// further than half the blending width from a border. Upper and lower lips (lids) meet at one (x, y), so they are told
 /// apart by their side: on the upper side the regions of the lower lip count as further away by the slit's separation
-/// times the side, and the other way round. Weights are continuous wherever sides are, which is everywhere but across a
-/// slit.
+/// times the side, and the other way round; regions of both sides count as further away by the slit's aside times the
+/// side, as one map cannot follow two lips that part. Weights are continuous wherever sides are, which is everywhere
+/// but across a slit.
 class FacialRegions {
  public:
   static constexpr int count = DeformationTable::regionCount;
@@ -30,6 +31,7 @@ class FacialRegions {
   /// Lips or lids: what belongs to one side only.
   struct Slit {
     double reach = 0.0, separation = 0.0;  ///< pupil units
+    double aside = 0.0;                    ///< how much further away regions of both sides count beside it, pupil units
     std::array<double, count> sides{};     ///< of each region: 1 upper, -1 lower, 0 both
   };
 
