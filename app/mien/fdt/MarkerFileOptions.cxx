@@ -116,6 +116,13 @@ FacialRegions MarkerFileOptions::regions() const {
   return regions;
 }
 
+void MarkerFileOptions::tellStillHead(const std::string& file) const {
+  if (markers().neutralPupils && expressionPupils_.empty())
+    std::cerr << "mien: " << file
+              << ": the pupils are taken to be at the same places in the expression, the head as still; else give "
+                 "--expression-pupils\n";
+}
+
 std::string readMarkerText(const std::string& file) {
   std::string text;
   const std::string fault = readTextFile(file, largestText, text);
@@ -138,6 +145,7 @@ MarkerTable parseRecording(const std::string& text, const std::string& file, con
 
 void takeOutGivenPupils(MarkerTable& markers, const MarkerFileOptions& options, const std::string& file) {
   if (!options.markers().neutralPupils) return;
+  options.tellStillHead(file);
   std::string names;
   for (const std::string& name : takeOutPupils(markers)) names += (names.empty() ? "" : ", ") + name;
   if (!names.empty())
