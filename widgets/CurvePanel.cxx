@@ -2,28 +2,27 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QFile>
+#include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QSpinBox>
+#include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
 
+#include "CurveFile.h"
 #include "FaceLayout.h"
 #include "FaceModel.h"
 #include "FramedButton.h"
-#include "PipelineErrors.h"
+#include "ScanPanel.h"
 
 namespace mien {
 
@@ -52,27 +51,17 @@ std::string writeCurves(const FaceState& state, const std::string& file) {
   pipeline.setState(neutral);
   const std::string fault = pipeline.updateCurves();
   if (!fault.empty()) return fault;
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  PipelineErrors errors;
-  errors.observe(writer);
-  const std::string part = file + ".part";
-  writer->SetFileName(part.c_str());
-  writer->SetInputData(vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0)));
-  writer->SetDataModeToBinary();
-  writer->SetCompressorTypeToNone();
-  std::error_code failure;
-  if (writer->Write() == 1 && errors.first().empty()) std::filesystem::rename(part, file, failure);
-  if (errors.first().empty() && !failure) return {};
-  std::filesystem::remove(part, failure);
-  return file + ": it cannot be written; give a file in a folder that exists and may be written to";
+  return writeCurveFile(vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0)), file);
 }
 
 }  // namespace
 
-CurvePanel::CurvePanel(FaceModel* model, CurveView* view, QWidget* parent)
+CurvePanel::CurvePanel(FaceModel* model, FaceView* face, CurveView* view, QWidget* parent)
     : QWidget(parent),
       model_(model),
       handle_(new CurveHandle(view, model, this)),
+      tabs_(new QTabWidget(this)),
+      scan_(new ScanPanel(model, face, this)),
       curve_(new QComboBox(this)),
       point_(new QSpinBox(this)),
       spread_(new QSpinBox(this)),
@@ -82,6 +71,7 @@ CurvePanel::CurvePanel(FaceModel* model, CurveView* view, QWidget* parent)
       width_(new QDoubleSpinBox(this)),
       mirror_(new QCheckBox(tr("Mirror"), this)),
       edits_(new QListWidget(this)),
+      hint_(new QLabel(edits_->viewport())),
       apply_(new QToolButton(this)),
       drag_(new QToolButton(this)),
       undo_(new QToolButton(this)),
@@ -92,15 +82,29 @@ CurvePanel::CurvePanel(FaceModel* model, CurveView* view, QWidget* parent)
   describePlace();
   describeMove();
   describeButtons();
+  setAcceptDrops(true);
+  describeTabs();
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 4, 8, 6);
+  column->setContentsMargins(8, 0, 8, 6);
+  column->addWidget(tabs_);
+  connectControls();
+  connectHandle();
+  showEdits();
+}
+
+void CurvePanel::describeTabs() {
+  auto* moves = new QWidget(this);
+  auto* column = new QVBoxLayout(moves);
+  column->setContentsMargins(0, 6, 0, 0);
   column->setSpacing(4);
   column->addWidget(placeRow());
   column->addWidget(moveRow());
   column->addWidget(listColumn(), 1);
-  connectControls();
-  connectHandle();
-  showEdits();
+  tabs_->setObjectName("curveTabs");
+  tabs_->addTab(moves, tr("Edit"));
+  tabs_->addTab(scan_, tr("Scan"));
+  tabs_->setTabToolTip(0, tr("Points of the curves are moved by hand"));
+  tabs_->setTabToolTip(1, tr("The curves of a scan of a head, and its distance from the face"));
 }
 
 void CurvePanel::describePlace() {
@@ -154,6 +158,14 @@ void CurvePanel::describeButtons() {
              tr("Writes the neutral curves with these moves as .vtp, which --face takes"));
   edits_->setObjectName("curveEdits");
   edits_->setToolTip(tr("The moves, made one after the other"));
+  hint_->setObjectName("curveHint");
+  hint_->setText(
+      tr("No moves yet. Choose a curve and a point, give millimetres and press Move; or press Edit in the "
+         "view and drag points there."));
+  hint_->setWordWrap(true);
+  hint_->setAlignment(Qt::AlignCenter);
+  hint_->setProperty("faint", true);
+  (new QVBoxLayout(edits_->viewport()))->addWidget(hint_);
 }
 
 QWidget* CurvePanel::placeRow() {
@@ -207,6 +219,8 @@ void CurvePanel::connectControls() {
   connect(save_, &QToolButton::clicked, this, &CurvePanel::chooseSaved);
   connect(edits_, &QListWidget::currentRowChanged, remove_, [this](int row) { remove_->setEnabled(row >= 0); });
   connect(model_, &FaceModel::stateChanged, this, &CurvePanel::showEdits);
+  connect(scan_, &ScanPanel::opened, this, [this] { tabs_->setCurrentWidget(scan_); });
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] { drag_->setChecked(false); });
   connect(model_, &FaceModel::updated, this, [this] { point_->setMaximum(model_->pointsPerCurve() - 1); });
   point_->setMaximum(model_->pointsPerCurve() - 1);
   point_->setValue(model_->pointsPerCurve() / 2);
@@ -258,6 +272,14 @@ void CurvePanel::drag(const CurveHandle::Vector& move) {
   show(edits);
 }
 
+void CurvePanel::dragEnterEvent(QDragEnterEvent* event) {
+  if (!ScanPanel::droppedFile(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void CurvePanel::dropEvent(QDropEvent* event) {
+  scan_->openDropped(ScanPanel::droppedFile(event->mimeData()));
+}
+
 /// Who does not see the numbers does not move curves by accident.
 void CurvePanel::hideEvent(QHideEvent* event) {
   drag_->setChecked(false);
@@ -293,6 +315,7 @@ void CurvePanel::showEdits() {
   for (const CurveEdit& edit : model_->state().edits) edits_->addItem(textOf(edit));
   edits_->setCurrentRow(std::min(chosen, edits_->count() - 1));
   remove_->setEnabled(edits_->currentRow() >= 0);
+  hint_->setVisible(edits_->count() == 0);
   undo_->setEnabled(edits_->count() > 0);
   clear_->setEnabled(edits_->count() > 0);
 }

@@ -100,13 +100,14 @@ bool FaceModel::update() {
 
 void FaceModel::accept() {
   const bool otherFile = reopened_ || good_.fapFile != state_.fapFile || isReadAnew();
+  const bool otherFace = good_.curvesFile != state_.curvesFile;
   const bool otherTable = good_.animationTable != state_.animationTable;
   FaceState before = good_;
   before.frame = state_.frame;
   const bool changed = before != state_;
   good_ = state_;
   reopened_ = false;
-  if (otherFile) followAnimation();
+  if (otherFile || otherFace) followAnimation();
   if (otherTable) followTable();
   followReach();
   emit updated();

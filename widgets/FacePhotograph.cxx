@@ -258,8 +258,13 @@ bool FacePhotograph::keep(const QString& fileName) {
 bool FacePhotograph::save(const QString& fileName) {
   if (!photograph_ || !keep(fileName)) return false;
   name(fileName.toStdString());
+  emit meshChanged();
   emit model_->remarked(tr("%1 was written.").arg(QFileInfo(fileName).fileName()), fileName);
   return true;
+}
+
+bool FacePhotograph::isSaved() const {
+  return !QString::fromStdString(good_.mesh).startsWith(folder_.path());
 }
 
 void FacePhotograph::undo() {

@@ -54,7 +54,8 @@ class FacePhotograph : public QObject {
   bool canUndo() const { return steps_.size() > 1; }
   bool save(const QString& fileName);  ///< as .csv, which the state names from then on; the message bar says what is
                                        ///< wrong. @return whether it was written
-  void cancel();
+  bool isSaved() const;                ///< whether the mesh lies in a file that outlasts the session
+  void cancel();  ///< what is being read is read to its end and then forgotten; a warp ends at once
 
  signals:
   void opened();  ///< another photograph, or none

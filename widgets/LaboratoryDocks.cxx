@@ -43,7 +43,7 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
   add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
   add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
   add("deformationDock", tr("Deformation"), new DeformationPanel(model, view));
-  add("curvesDock", tr("Curves"), new CurvePanel(model, curves));
+  add("curvesDock", tr("Curves"), new CurvePanel(model, view, curves));
   giveHeight(add("textureDock", tr("Texture"), new TexturePanel(model, view)));
 }
 

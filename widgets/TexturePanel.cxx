@@ -221,10 +221,17 @@ void TexturePanel::showPhotograph() {
   mesh_->setEnabled(shown || !photograph_->isOpen());
   mesh_->setPicture(photograph_->picture());
   mesh_->setMesh(photograph_->mesh());
+  showChosen();
+}
+
+QString TexturePanel::unsavedText() const {
+  return photograph_->isOpen() && photograph_->isOn() && !photograph_->isSaved()
+             ? tr("The mesh is not saved: without Save mesh it is gone with this session.")
+             : QString();
 }
 
 void TexturePanel::showChosen() {
-  status_->setText(QString());
+  status_->setText(unsavedText());
   const WarpMesh& mesh = photograph_->mesh();
   const MeshNode node = mesh_->chosen();
   if (!photograph_->isOpen() || node.row < 0 || node.row >= mesh.rows() || node.column >= mesh.columns()) return;
@@ -239,7 +246,7 @@ void TexturePanel::showChosen() {
                      .arg(mesh.width)
                      .arg(mesh.height);
   if (!fault_.isEmpty()) text = tr("Refused: %1.   %2").arg(fault_, text);
-  status_->setText(text);
+  status_->setText(text + "   " + unsavedText());
 }
 
 void TexturePanel::dragEnterEvent(QDragEnterEvent* event) {

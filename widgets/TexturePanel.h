@@ -42,6 +42,7 @@ class TexturePanel : public QWidget {
   void chooseSaved();
   void showPhotograph();
   void showChosen();
+  QString unsavedText() const;
 
   FaceModel* model_;
   FacePhotograph* photograph_;

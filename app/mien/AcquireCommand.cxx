@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -94,33 +93,6 @@ json jsonOf(const AcquireResult& result) {
   return object;
 }
 
-void print(const AcquireResult& result) {
-  const ScanReport& r = result.report;
-  std::printf("%s\n", result.scan.c_str());
-  std::printf("  unit       %s%s (1 unit is %g mm; outer eye corners %.1f mm apart)\n",
-              r.unit.empty() ? "of --scale" : r.unit.c_str(), r.unitRecognised ? ", recognised" : ", given",
-              r.millimetres, r.eyes);
-  std::printf("  pose       %s, %.1f degrees from the generic face's\n",
-              r.moved ? "moved onto the generic face" : "kept as it is", r.turned * 180.0 / M_PI);
-  std::printf(
-      "  mesh       %d triangles, %d holes and rims; %d of %d parts left out, %d vertices merged, %d triangles without "
-      "area\n",
-      r.triangles, r.holes, r.droppedParts, r.parts, r.mergedVertices, r.degenerateTriangles);
-  std::printf("  landmarks  %s", r.landmarksGiven ? "given" : "fitted");
-  if (r.completedLandmarks > 0) std::printf(", %d of 68 completed from the generic face", r.completedLandmarks);
-  if (r.landmarksGiven) std::printf(", %.2f mm (median) off the scan", r.landmarkDepth);
-  if (r.fitted && r.landmarksGiven)
-    std::printf("; fitted ones lie %.2f mm RMS from them, at most %.2f", r.landmarkRMS, r.landmarkMaximum);
-  std::printf("\n");
-  if (r.fitted)
-    std::printf(
-        "  fit        generic face %.2f mm RMS from the scan before bending, relief agrees by %.2f, size %.2f\n",
-        r.fitDistance, r.fitRelief, r.fitSize);
-  std::printf("  distance   frontal spline face to scan %.3f mm RMS, at most %.2f\n", result.frontalRMS,
-              result.frontalMaximum);
-  std::printf("  crossings  %d\n", result.crossings);
-}
-
 /// What was assumed is said without --report as well.
 void remark(const AcquireResult& result) {
   const ScanReport& r = result.report;
@@ -146,7 +118,7 @@ void deliver(const Options& options, const std::vector<AcquireResult>& results) 
     if (options.json)
       all.push_back(jsonOf(result));
     else if (options.acquire.report)
-      print(result);
+      std::cout << reportText(result);
   }
   if (options.json) std::cout << all.dump(2) << "\n";
 }

@@ -100,8 +100,8 @@ void addCompareCommand(CLI::App& program) {
                     "Only the largest connected part of B counts, such as skin without eyeballs");
   command->footer(
       "Example: mien compare face.vts scan.ply --frontal -o distance.vtp -o distance.svg\n"
-      "RMS and mean are weighted with the area around each point. The .vtp file is A with the point array Distance "
-      "(mm).");
+      "RMS, mean, median and 95th percentile (p95) are weighted with the area around each point: 95 % of the area lie\n"
+      "no further away. The .vtp file is A with the point array Distance (mm).");
   command->callback([options] { run(*options); });
 }
 

@@ -15,7 +15,8 @@ struct ContinuityChoice {
   std::string measure = "g1";  ///< in the chart: g0, g1, c1, g2, c2
   int samples = 400;           ///< per seam
 };
-Report continuityReport(const MeasuredFace& face, const ContinuityChoice& choice, const ReportOptions& files = ReportOptions());
+Report continuityReport(const MeasuredFace& face, const ContinuityChoice& choice,
+                        const ReportOptions& files = ReportOptions());
 
 /// @param tolerance  mm, for the smallest N that comes that near
 Report spectrumReport(const MeasuredFace& face, const std::optional<double>& tolerance);

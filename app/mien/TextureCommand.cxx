@@ -14,16 +14,14 @@
 #include "FaceWarpLayout.h"
 #include "Failure.h"
 #include "ImageFile.h"
-#include "Interruption.h"
 #include "OutputFile.h"
 #include "PictureFile.h"
 #include "PipelineErrors.h"
-#include "ProgressLine.h"
 #include "TextFileReader.h"
 #include "WarpMeshData.h"
 #include "WarpMeshText.h"
+#include "WatchedUpdate.h"
 #include "vtkBoundaryCurveReader.h"
-#include "vtkCallbackCommand.h"
 #include "vtkImageData.h"
 #include "vtkImageMeshWarpFilter.h"
 #include "vtkNew.h"
@@ -33,8 +31,6 @@
 namespace mien {
 
 namespace {
-
-constexpr int percent = 100;
 
 using Kind = FaceWarpLayout::Kind;
 
@@ -116,24 +112,6 @@ WarpMesh targetOf(const Options& options, const FaceCurves& face, const WarpMesh
   return textureMesh(layoutOn(face, kind), faceTextureWidth, faceTextureHeight);
 }
 
-/// Shows how far the filter is and stops it when the user wants that.
-class Watch {
- public:
-  explicit Watch(vtkImageMeshWarpFilter* filter) : progress_(percent, "percent") {
-    noteInterruptions();
-    command_->SetClientData(this);
-    command_->SetCallback([](vtkObject* caller, unsigned long, void* self, void* done) {
-      static_cast<Watch*>(self)->progress_.show(static_cast<int>(percent * *static_cast<double*>(done)));
-      if (wasInterrupted()) vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-    });
-    filter->AddObserver(vtkCommand::ProgressEvent, command_);
-  }
-
- private:
-  ProgressLine progress_;
-  vtkNew<vtkCallbackCommand> command_;
-};
-
 /// Writes a mesh under the temporary name.
 void fill(const OutputFile& file, const WarpMesh& mesh) {
   if (!(std::ofstream(file.temporaryName(), std::ios::binary) << writeWarpMesh(mesh) << std::flush))
@@ -169,11 +147,7 @@ void warp(const Options& options, vtkImageData* image, const WarpMesh& source, c
   const auto [width, height] = sizeOf(options, target);
   filter->SetOutputSize(width, height);
   filter->SetClosed(options.target.empty());
-  {
-    const Watch watch(filter);
-    filter->Update();
-  }
-  if (wasInterrupted()) throw Stopped("stopped; nothing was written");
+  updateWatched(filter, "picture");
   if (!errors.first().empty()) throw FileFailure(options.image + ": " + errors.first());
   writePicture(filter->GetOutput(), output);
 }

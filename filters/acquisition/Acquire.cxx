@@ -3,11 +3,12 @@
 #include <memory>
 #include <utility>
 
+#include "FilterProgress.h"
 #include "PipelineErrors.h"
 #include "WholeFile.h"
+#include "XMLPolyDataFile.h"
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 #include "vtkBoundaryCurveMeanFilter.h"
-#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPolyData.h"
@@ -15,7 +16,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkSurfaceDistanceFilter.h"
 #include "vtkTable.h"
-#include "vtkXMLPolyDataWriter.h"
 
 namespace mien {
 
@@ -26,22 +26,6 @@ std::string describeOptions(const AcquireOptions& options) {
   if (options.scans.size() > 1 && !options.mean)
     return "there is more than one scan; ask for their mean or give only one";
   return {};
-}
-
-void tellProgress(vtkObject* caller, unsigned long, void* progress, void*) {
-  auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-  if (!goesOn(*static_cast<const Progress*>(progress), algorithm->GetProgress())) algorithm->SetAbortExecute(1);
-}
-
-/// Whether a filter ran to its end.
-bool runs(vtkAlgorithm* algorithm, const Progress& progress) {
-  vtkNew<vtkCallbackCommand> callback;
-  callback->SetCallback(tellProgress);
-  callback->SetClientData(const_cast<Progress*>(&progress));
-  const unsigned long observer = algorithm->AddObserver(vtkCommand::ProgressEvent, callback);
-  algorithm->Update();
-  algorithm->RemoveObserver(observer);
-  return algorithm->GetAbortExecute() == 0;
 }
 
 std::string measureDistance(vtkPolyData* curves, vtkPolyData* scan, AcquireResult& result) {
@@ -63,15 +47,30 @@ std::string measureDistance(vtkPolyData* curves, vtkPolyData* scan, AcquireResul
   return {};
 }
 
-bool writePolyData(vtkPolyData* data, const std::string& file) {
-  vtkNew<vtkXMLPolyDataWriter> writer;
+std::string measure(const AcquireOptions& options, vtkBoundaryCurveAcquisitionFilter* filter, AcquireResult& result,
+                    const Progress& progress) {
+  vtkNew<vtkScanReader> reader;
   PipelineErrors errors;
-  errors.observe(writer);
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(data);
-  writer->SetDataModeToBinary();
-  writer->SetCompressorTypeToNone();
-  return writer->Write() == 1 && errors.first().empty() && writer->GetErrorCode() == 0;
+  errors.observe(reader);
+  errors.observe(filter);
+  reader->SetFileName(result.scan.c_str());
+  reader->Update();
+  if (!errors.first().empty()) return errors.first();
+  filter->SetInputData(reader->GetOutput());
+  filter->SetLandmarkFileName(options.landmarkFile.c_str());
+  filter->SetPointsPerCurve(options.scan.pointsPerCurve);
+  filter->SetScale(options.scan.millimetres);
+  filter->SetPose(static_cast<int>(options.scan.pose));
+  filter->SetAllParts(options.scan.allParts);
+  filter->SetTriangles(options.triangles);
+  filter->SetCompareLandmarks(options.report);
+  if (!updateWith(progress, filter)) return "stopped before the curves were measured";
+  std::string fault = errors.first();
+  if (fault.empty() && options.report) fault = measureDistance(filter->GetOutput(), filter->GetOutput(1), result);
+  result.report = filter->GetAcquired().report;
+  result.crossings = countCrossings(filter->GetAcquired().face.curves);
+  const bool namesLandmarks = !options.landmarkFile.empty() && fault.rfind(options.landmarkFile + ":", 0) == 0;
+  return fault.empty() || namesLandmarks ? fault : result.scan + ": " + fault;
 }
 
 /// Files that appear together: all of them are filled before the first is given its name.
@@ -95,44 +94,19 @@ class Files {
   std::string fault_;
 };
 
-std::string measureScan(const AcquireOptions& options, vtkBoundaryCurveAcquisitionFilter* filter, AcquireResult& result,
-                        const Progress& progress) {
-  vtkNew<vtkScanReader> reader;
-  PipelineErrors errors;
-  errors.observe(reader);
-  errors.observe(filter);
-  reader->SetFileName(result.scan.c_str());
-  reader->Update();
-  if (!errors.first().empty()) return errors.first();
-  filter->SetInputData(reader->GetOutput());
-  filter->SetLandmarkFileName(options.landmarkFile.c_str());
-  filter->SetPointsPerCurve(options.scan.pointsPerCurve);
-  filter->SetScale(options.scan.millimetres);
-  filter->SetPose(static_cast<int>(options.scan.pose));
-  filter->SetAllParts(options.scan.allParts);
-  filter->SetTriangles(options.triangles);
-  filter->SetCompareLandmarks(options.report);
-  if (!runs(filter, progress)) return "stopped before the curves were measured";
-  std::string fault = errors.first();
-  if (fault.empty() && options.report) fault = measureDistance(filter->GetOutput(), filter->GetOutput(1), result);
-  result.report = filter->GetAcquired().report;
-  result.crossings = countCrossings(filter->GetAcquired().face.curves);
-  const bool namesLandmarks = !options.landmarkFile.empty() && fault.rfind(options.landmarkFile + ":", 0) == 0;
-  return fault.empty() || namesLandmarks ? fault : result.scan + ": " + fault;
-}
-
 /// The curves of all scans and, with them, what else is to be written.
 class Measurements {
  public:
   explicit Measurements(const AcquireOptions& options) : Options(options) {}
 
   std::string add(AcquireResult& result, const Progress& progress) {
-    vtkNew<vtkBoundaryCurveAcquisitionFilter> filter;
-    const std::string fault = measureScan(this->Options, filter, result, progress);
+    MeasuredScan measured;
+    const std::string fault = measureScan(this->Options, result.scan, measured, progress);
+    result = measured.result;
     if (!fault.empty()) return fault;
-    this->Landmarks.points += filter->GetAcquired().landmarks.points / static_cast<double>(this->Options.scans.size());
-    this->Curves = filter->GetOutput();
-    this->Scan = filter->GetOutput(1);
+    this->Landmarks.points += measured.landmarks.points / static_cast<double>(this->Options.scans.size());
+    this->Curves = measured.curves;
+    this->Scan = measured.scan;
     vtkNew<vtkPolyData> copy;
     copy->ShallowCopy(this->Curves);
     this->Mean->AddInputDataObject(copy);
@@ -152,9 +126,9 @@ class Measurements {
     files.add(this->Options.landmarkOutput,
               [this](const WholeFile& file) { return file.fill(landmarkText(this->Landmarks)); });
     files.add(this->Options.scanOutput,
-              [this](const WholeFile& file) { return writePolyData(this->Scan, file.temporaryName()); });
+              [this](const WholeFile& file) { return fillPolyData(this->Scan, file.temporaryName()); });
     files.add(this->Options.outputFile,
-              [this](const WholeFile& file) { return writePolyData(this->Curves, file.temporaryName()); });
+              [this](const WholeFile& file) { return fillPolyData(this->Curves, file.temporaryName()); });
     return files.commit();
   }
 
@@ -166,6 +140,18 @@ class Measurements {
 };
 
 }  // namespace
+
+std::string measureScan(const AcquireOptions& options, const std::string& file, MeasuredScan& measured,
+                        const Progress& progress) {
+  vtkNew<vtkBoundaryCurveAcquisitionFilter> filter;
+  measured.result.scan = file;
+  const std::string fault = measure(options, filter, measured.result, progress);
+  if (!fault.empty()) return fault;
+  measured.landmarks = filter->GetAcquired().landmarks;
+  measured.curves = filter->GetOutput();
+  measured.scan = filter->GetOutput(1);
+  return {};
+}
 
 std::string acquire(const AcquireOptions& options, std::vector<AcquireResult>* results, const Progress& progress) {
   std::string fault = describeOptions(options);

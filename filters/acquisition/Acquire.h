@@ -6,6 +6,9 @@
 #include "MienAcquisitionModule.h"
 #include "Progress.h"
 #include "ScanAcquisition.h"
+#include "vtkSmartPointer.h"
+
+class vtkPolyData;
 
 /// What `mien acquire` does.
 namespace mien {
@@ -30,6 +33,22 @@ struct AcquireResult {
   double frontalRMS = 0.0,
          frontalMaximum = 0.0;  ///< mm, of the spline face (a = 1, N = 5, 224 x 160, z > 50 mm) to the scan
 };
+
+/// A scan that was measured and not written.
+struct MeasuredScan {
+  AcquireResult result;
+  FaceLandmarks landmarks;
+  vtkSmartPointer<vtkPolyData> curves;  ///< as in BoundaryCurveData.h, mm
+  vtkSmartPointer<vtkPolyData> scan;    ///< cleaned, in mm, in the frame of the curves
+};
+
+/// Reads one scan and measures it with these options, of which files to write and other scans do not count.
+/// @return nothing, or "FILE[:LINE]: what is wrong and what to do"
+MIENACQUISITION_EXPORT std::string measureScan(const AcquireOptions& options, const std::string& file,
+                                               MeasuredScan& measured, const Progress& progress = {});
+
+/// What was found, in lines of text: unit, pose, mesh, landmarks, fit, distance, crossings.
+MIENACQUISITION_EXPORT std::string reportText(const AcquireResult& result);
 
 /// Reads the scans, measures their boundary curves and writes them as XML polydata (inline, not compressed).
 /// @return nothing, or "FILE[:LINE]: what is wrong and what to do"; no curves are written then

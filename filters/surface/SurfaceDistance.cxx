@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
@@ -42,6 +43,14 @@ Vector cornerShares(const double corners[3][3], const double* point) {
     shares[i] = squared > 0.0 ? vtkMath::Dot(part, normal.data()) / squared : 1.0 / 3.0;
   }
   return shares;
+}
+
+/// The distance that a share of the area does not exceed; distances with their areas, sorted.
+double quantile(const std::vector<std::pair<double, double>>& sorted, double area) {
+  double sum = 0.0;
+  for (const auto& [distance, part] : sorted)
+    if ((sum += part) >= area) return distance;
+  return sorted.empty() ? 0.0 : sorted.back().first;
 }
 
 }  // namespace
@@ -131,6 +140,7 @@ double SurfaceDistance::operator()(const double point[3], bool withSign) const {
 DistanceSummary summarize(const std::vector<double>& distances, const std::vector<double>& areas,
                           const std::function<bool(size_t)>& counts) {
   DistanceSummary summary;
+  std::vector<std::pair<double, double>> sorted;
   for (size_t i = 0; i < distances.size(); ++i) {
     if (!counts(i)) continue;
     const double distance = std::abs(distances[i]);
@@ -139,10 +149,14 @@ DistanceSummary summarize(const std::vector<double>& distances, const std::vecto
     summary.maximum = std::max(summary.maximum, distance);
     summary.area += areas[i];
     ++summary.points;
+    sorted.emplace_back(distance, areas[i]);
   }
   if (summary.area > 0.0) {
     summary.rms = std::sqrt(summary.rms / summary.area);
     summary.mean /= summary.area;
+    std::sort(sorted.begin(), sorted.end());
+    summary.median = quantile(sorted, 0.5 * summary.area);
+    summary.percentile95 = quantile(sorted, 0.95 * summary.area);
   }
   return summary;
 }

@@ -13,10 +13,12 @@ namespace mien {
 
 /// How far the points of a surface lie from another, weighted with the area that belongs to each point.
 struct DistanceSummary {
-  double rms = 0.0;      ///< mm
-  double mean = 0.0;     ///< of the absolute distances, mm
-  double maximum = 0.0;  ///< mm
-  double area = 0.0;     ///< of all points that were measured, mm2
+  double rms = 0.0;           ///< mm
+  double mean = 0.0;          ///< of the absolute distances, mm
+  double median = 0.0;        ///< half of the area lies no further away, mm
+  double percentile95 = 0.0;  ///< 95 % of the area lie no further away, mm
+  double maximum = 0.0;       ///< mm
+  double area = 0.0;          ///< of all points that were measured, mm2
   long long points = 0;
 };
 

@@ -49,17 +49,20 @@ void fillTable(const std::array<mien::DistanceSummary, 2>& summaries, vtkTable* 
   directions->SetName("direction");
   vtkNew<vtkLongLongArray> points;
   points->SetName("points");
-  const auto rms = column("rms_mm"), mean = column("mean_mm"), maximum = column("max_mm"), area = column("area_mm2");
+  const auto rms = column("rms_mm"), mean = column("mean_mm"), median = column("median_mm");
+  const auto percentile95 = column("p95_mm"), maximum = column("max_mm"), area = column("area_mm2");
   for (int i = 0; i < 2; ++i) {
     directions->InsertNextValue(directionNames[i]);
     rms->InsertNextValue(summaries[i].rms);
     mean->InsertNextValue(summaries[i].mean);
+    median->InsertNextValue(summaries[i].median);
+    percentile95->InsertNextValue(summaries[i].percentile95);
     maximum->InsertNextValue(summaries[i].maximum);
     area->InsertNextValue(summaries[i].area);
     points->InsertNextValue(summaries[i].points);
   }
   table->AddColumn(directions);
-  for (const auto& array : {rms, mean, maximum, area}) table->AddColumn(array);
+  for (const auto& array : {rms, mean, median, percentile95, maximum, area}) table->AddColumn(array);
   table->AddColumn(points);
 }
 
@@ -126,6 +129,14 @@ double vtkSurfaceDistanceFilter::GetMeanDistance(int direction) const {
 
 double vtkSurfaceDistanceFilter::GetMaximumDistance(int direction) const {
   return this->Impl->summaries[direction != 0].maximum;
+}
+
+double vtkSurfaceDistanceFilter::GetMedianDistance(int direction) const {
+  return this->Impl->summaries[direction != 0].median;
+}
+
+double vtkSurfaceDistanceFilter::GetPercentile95Distance(int direction) const {
+  return this->Impl->summaries[direction != 0].percentile95;
 }
 
 int vtkSurfaceDistanceFilter::FillInputPortInformation(int, vtkInformation* info) {

@@ -5,8 +5,9 @@
  * Inputs: port 0 the surface, port 1 the reference, each vtkPolyData or vtkStructuredGrid (of which the visible cells
  * are taken, as vtkGeometryFilter does), lengths in mm. Outputs: port 0 the surface and port 1 the reference as
  * vtkPolyData with the point array `Distance` (mm, double) to the other; port 2 a vtkTable with one row each way,
- * columns `direction` ("to reference", "from reference"), `rms_mm`, `mean_mm`, `max_mm`, `area_mm2` and `points`. RMS
- * and mean are weighted with the area that belongs to each point, a third of every triangle around it.
+ * columns `direction` ("to reference", "from reference"), `rms_mm`, `mean_mm`, `median_mm`, `p95_mm`, `max_mm`,
+ * `area_mm2` and `points`. RMS, mean, median and 95th percentile are weighted with the area that belongs to each
+ * point, a third of every triangle around it.
  *
  * Equation: d(p) = min over q of |p - q|; signs from angle-weighted pseudonormals [Baerentzen and Aanaes 2005].
  * Limitations: distances are taken at points, not integrated over triangles, so a coarse surface is measured coarsely.
@@ -69,6 +70,8 @@ class MIENSURFACE_EXPORT vtkSurfaceDistanceFilter : public vtkPolyDataAlgorithm 
   double GetRMSDistance(int direction = 0) const;
   double GetMeanDistance(int direction = 0) const;
   double GetMaximumDistance(int direction = 0) const;
+  double GetMedianDistance(int direction = 0) const;
+  double GetPercentile95Distance(int direction = 0) const;
   ///@}
 
  protected:

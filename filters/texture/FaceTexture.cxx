@@ -5,12 +5,12 @@
 #include <filesystem>
 
 #include "BoundaryCurveData.h"
+#include "FilterProgress.h"
 #include "ImageFile.h"
 #include "PipelineErrors.h"
 #include "TextFileReader.h"
 #include "WarpMeshData.h"
 #include "WarpMeshText.h"
-#include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImageMeshWarpFilter.h"
@@ -46,32 +46,13 @@ void makeColours(vtkImageData* image) {
   image->GetPointData()->SetScalars(to);
 }
 
-/// Hands the progress of a filter on, and the wish to stop to the filter.
-class Watch {
- public:
-  Watch(vtkAlgorithm* filter, const Progress& progress) : filter_(filter), progress_(progress) {
-    command_->SetClientData(this);
-    command_->SetCallback([](vtkObject*, unsigned long, void* self, void* done) {
-      const auto* watch = static_cast<Watch*>(self);
-      if (!goesOn(watch->progress_, *static_cast<double*>(done))) watch->filter_->SetAbortExecute(1);
-    });
-    filter->AddObserver(vtkCommand::ProgressEvent, command_);
-  }
-
- private:
-  vtkAlgorithm* filter_;
-  const Progress& progress_;
-  vtkNew<vtkCallbackCommand> command_;
-};
-
 /// @return nothing, or what went wrong
 std::string runWarp(vtkImageMeshWarpFilter* warp, const Progress& progress) {
   PipelineErrors errors;
   errors.observe(warp);
-  const Watch watch(warp, progress);
-  warp->Update();
+  const bool complete = updateWith(progress, warp);
   if (!errors.first().empty()) return errors.first();
-  return warp->GetAbortExecute() ? "the work was stopped" : "";
+  return complete ? "" : "the work was stopped";
 }
 
 std::string layoutOn(vtkPolyData* curves, FaceWarpLayout::Kind kind, FaceCurves& face, FaceWarpLayout& layout) {

@@ -98,6 +98,26 @@ TEST(SurfaceDistanceFilter, ConcentricSpheresAreTheDifferenceOfTheirRadiiApart) 
   }
 }
 
+TEST(SurfaceDistanceFilter, MedianAndNinetyFivePercentCountAreaAndNotPoints) {
+  constexpr double size = 10.0, rise = 4.0;
+  const auto ramp = plane(size, 0.0, 200);  // its height is spread evenly over its area, its points are not
+  for (vtkIdType i = 0; i < ramp->GetNumberOfPoints(); ++i) {
+    double p[3];
+    ramp->GetPoint(i, p);
+    const double share = (p[0] / size + 1.0) / 2.0;
+    ramp->GetPoints()->SetPoint(i, size * (2.0 * share * share - 1.0), p[1], rise * share * share);
+  }
+  Comparison ramps(ramp, plane(20.0, 0.0, 1));
+  ramps.filter->Update();
+  EXPECT_EQ(ramps.errors.count(), 0);
+  EXPECT_NEAR(ramps.filter->GetMedianDistance(), 0.5 * rise, 0.01 * rise);  // of points it would be a quarter
+  EXPECT_NEAR(ramps.filter->GetPercentile95Distance(), 0.95 * rise, 0.01 * rise);
+  EXPECT_NEAR(ramps.filter->GetMaximumDistance(), rise, 1e-12);
+  auto* table = vtkTable::SafeDownCast(ramps.filter->GetOutputDataObject(2));
+  EXPECT_EQ(table->GetValueByName(0, "median_mm").ToDouble(), ramps.filter->GetMedianDistance());
+  EXPECT_EQ(table->GetValueByName(0, "p95_mm").ToDouble(), ramps.filter->GetPercentile95Distance());
+}
+
 TEST(SurfaceDistanceFilter, SignsTellInsideFromOutside) {
   const auto ball = sphere(10.0, 12);
   const auto triangles = mien::trianglesOf(ball);

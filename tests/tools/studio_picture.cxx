@@ -1,7 +1,7 @@
 // Draws Mien Studio's window into a PNG file, for the documentation and for looking at it:
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
-// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200, a=2, file=X.fap,
-// frame=100, range=50:120, dock=plotDock, press=fapAll, scale=0.75, wait=2000, measure.
+// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200, a=2,
+// file=X.fap, frame=100, range=50:120, dock=plotDock, press=fapAll, scan=X.ply, scale=0.75, wait=2000, measure.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -19,6 +19,7 @@
 
 #include "AnimationPlayer.h"
 #include "FaceModel.h"
+#include "ScanPanel.h"
 #include "StudioWindow.h"
 #include "Theme.h"
 
@@ -76,6 +77,12 @@ void press(QWidget& window, const QString& name) {
   wait(1500);
 }
 
+void openScan(QWidget& window, const QString& fileName) {
+  auto* panel = window.findChild<mien::ScanPanel*>("scanPanel");
+  panel->openDropped(fileName);
+  while (panel->isMeasuring()) wait(200);
+}
+
 void chooseRow(QWidget& window, int row) {
   window.findChild<QTableWidget*>("continuityTable")->selectRow(row);
   wait(1500);  // the camera flies there
@@ -110,6 +117,7 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "a") model.change([&](mien::FaceState& state) { state.surface.smoothing.fill(value.toDouble()); });
   if (key == "dock") showDock(window, value);
   if (key == "press") press(window, value);
+  if (key == "scan") openScan(window, value);
   if (key == "row") chooseRow(window, value.toInt());
   if (key == "cell") clickCell(window, value);
   if (key == "choose")

@@ -7,8 +7,10 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
+#include <QLabel>
 #include <QListWidget>
 #include <QSpinBox>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <cmath>
@@ -70,6 +72,30 @@ TEST_F(CurvePanel, WithoutMirrorTheOtherSideStays) {
   const mien::FaceCurves after = face();
   EXPECT_EQ(after.curves.curve(14).row(16), before.curves.curve(14).row(16));
   EXPECT_FALSE(edits().front().mirrored);
+}
+
+TEST_F(CurvePanel, AnEmptyListSaysWhatToDo) {
+  auto* hint = find<QLabel>("curveHint");
+  EXPECT_TRUE(hint->isVisible());
+  raise(1.0);
+  EXPECT_FALSE(hint->isVisible());
+  click("curveUndo");
+  EXPECT_TRUE(hint->isVisible());
+}
+
+TEST_F(CurvePanel, TheDockFitsIntoASmallWindow) {
+  for (int tab = 0; tab < 2; ++tab) {  // 1280 pixels less the panels at the left
+    find<QTabWidget>("curveTabs")->setCurrentIndex(tab);
+    settle();
+    EXPECT_LE(find<mien::CurvePanel>("curvePanel")->minimumSizeHint().width(), 900) << tab;
+  }
+}
+
+TEST_F(CurvePanel, DraggingEndsWhereItsNumbersAreNotSeen) {
+  auto* drag = find<QToolButton>("curveDrag");
+  drag->setChecked(true);
+  find<QTabWidget>("curveTabs")->setCurrentIndex(1);
+  EXPECT_FALSE(drag->isChecked());
 }
 
 TEST_F(CurvePanel, UndoAndRemoveTakeMovesBack) {

@@ -162,8 +162,11 @@ TEST_F(TexturePanel, APhotographWithoutAMeshGetsOneToBeMoved) {
   EXPECT_TRUE(message().contains("anna.png has no mesh")) << message().toStdString();
   EXPECT_EQ(stored().rows(), 7);
   EXPECT_GT(stored().x.minCoeff(), 0.0);
+  const auto isToldUnsaved = [&] { return find<QLabel>("textureStatus")->text().contains("not saved"); };
+  EXPECT_TRUE(isToldUnsaved());
   EXPECT_TRUE(panel->save(folder.filePath("anna.csv")));
   EXPECT_EQ(meshFile(), folder.filePath("anna.csv"));
+  EXPECT_FALSE(isToldUnsaved());
   const mien::WarpMesh saved = stored();
   find<QCheckBox>("textureOn")->setChecked(false);
   settle();

@@ -88,7 +88,8 @@ FigureDrawing drawMouth(FigureContext& context) {
     plate.panels.push_back(drawingPanel(mouthCases()[i].heading, drawings[i], shown));
   plate.caption =
       "C21, C23 (black) and the inner contours C22, C22' (orange) with the ways of their samples (blue); dashed: at "
-      "rest, grey: on the way. The contours open as one arch between the corners; where lips would cross, contact bends "
+      "rest, grey: on the way. The contours open as one arch between the corners; where lips would cross, contact "
+      "bends "
       "the ways. All six: the values of (a) to (c) together.";
   return context.drawn(plate);
 }

@@ -1,0 +1,51 @@
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "Acquire.h"
+
+namespace mien {
+
+namespace {
+
+template <class... Values>
+std::string line(const char* format, Values... values) {
+  char text[400];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+std::string landmarkLine(const ScanReport& r) {
+  std::string text = r.landmarksGiven ? "  landmarks  given" : "  landmarks  fitted";
+  if (r.completedLandmarks > 0) text += line(", %d of 68 completed from the generic face", r.completedLandmarks);
+  if (r.landmarksGiven) text += line(", %.2f mm (median) off the scan", r.landmarkDepth);
+  if (r.fitted && r.landmarksGiven)
+    text += line("; fitted ones lie %.2f mm RMS from them, at most %.2f", r.landmarkRMS, r.landmarkMaximum);
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string reportText(const AcquireResult& result) {
+  const ScanReport& r = result.report;
+  std::string text = result.scan + "\n";
+  text += line("  unit       %s%s (1 unit is %g mm; outer eye corners %.1f mm apart)\n",
+               r.unit.empty() ? "of --scale" : r.unit.c_str(), r.unitRecognised ? ", recognised" : ", given",
+               r.millimetres, r.eyes);
+  text += line("  pose       %s, %.1f degrees from the generic face's\n",
+               r.moved ? "moved onto the generic face" : "kept as it is", r.turned * 180.0 / M_PI);
+  text += line(
+      "  mesh       %d triangles, %d holes and rims; %d of %d parts left out, %d vertices merged, %d triangles without "
+      "area\n",
+      r.triangles, r.holes, r.droppedParts, r.parts, r.mergedVertices, r.degenerateTriangles);
+  text += landmarkLine(r);
+  if (r.fitted)
+    text +=
+        line("  fit        generic face %.2f mm RMS from the scan before bending, relief agrees by %.2f, size %.2f\n",
+             r.fitDistance, r.fitRelief, r.fitSize);
+  text += line("  distance   frontal spline face to scan %.3f mm RMS, at most %.2f\n", result.frontalRMS,
+               result.frontalMaximum);
+  return text + line("  crossings  %d\n", result.crossings);
+}
+
+}  // namespace mien

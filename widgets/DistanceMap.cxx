@@ -1,0 +1,121 @@
+#include "DistanceMap.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkPolyData.h>
+#include <vtkReverseSense.h>
+#include <vtkSurfaceDistanceFilter.h>
+
+#include "BackgroundTask.h"
+#include "FaceModel.h"
+#include "FilterProgress.h"
+#include "PipelineErrors.h"
+
+namespace mien {
+
+struct DistanceMap::Measured {
+  vtkSmartPointer<vtkPolyData> map;
+  double rms = 0.0, median = 0.0, percentile95 = 0.0, largest = 0.0;  // mm
+  std::string fault;
+};
+
+DistanceMap::DistanceMap(FaceModel* model, FaceView* view, QObject* parent)
+    : QObject(parent), model_(model), task_(new BackgroundTask(this)), overlay_(view, this) {
+  connect(model_, &FaceModel::updated, this, &DistanceMap::follow);
+  connect(&overlay_, &FaceOverlay::shownChanged, this, [this](bool shown) {
+    if (!shown) setSubject(Subject::None);
+  });
+}
+
+DistanceMap::~DistanceMap() {
+  delete task_;
+}
+
+void DistanceMap::setScan(vtkPolyData* scan) {
+  scan_ = scan;
+  follow();
+}
+
+void DistanceMap::setSubject(Subject subject) {
+  if (subject == subject_) return;
+  subject_ = subject;
+  follow();
+}
+
+void DistanceMap::setFrontalOnly(bool on) {
+  frontal_ = on;
+  follow();
+}
+
+void DistanceMap::setLargest(double millimetres) {
+  largest_ = millimetres;
+  if (overlay_.isShown()) draw();
+}
+
+DistanceMap::Measured DistanceMap::measure(vtkPolyData* face, vtkPolyData* scan, bool frontal, int direction,
+                                           const std::function<bool(double)>& goOn) {
+  Measured measured;
+  vtkNew<vtkSurfaceDistanceFilter> filter;
+  PipelineErrors errors;
+  errors.observe(filter);
+  filter->SetInputData(face);
+  filter->SetReferenceData(scan);
+  filter->SetFrontalOnly(frontal);
+  updateWith(goOn, filter);
+  measured.fault = errors.first();
+  measured.map = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(direction));
+  measured.rms = filter->GetRMSDistance(direction);
+  measured.median = filter->GetMedianDistance(direction);
+  measured.percentile95 = filter->GetPercentile95Distance(direction);
+  measured.largest = filter->GetMaximumDistance(direction);
+  return measured;
+}
+
+/// The thread has copies: the pipeline and the view go on using their own.
+void DistanceMap::follow() {
+  if (subject_ == Subject::None || !scan_) {
+    task_->cancel();
+    map_ = nullptr;
+    summary_.clear();
+    overlay_.hide();
+    emit changed();
+    return;
+  }
+  auto face = vtkSmartPointer<vtkPolyData>::New(), scan = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkReverseSense> outwards;  // where its normals point already; else it is lit from behind
+  outwards->SetInputConnection(model_->pipeline().surface()->GetOutputPort());
+  outwards->Update();
+  face->DeepCopy(outwards->GetOutput());
+  scan->DeepCopy(scan_);
+  const int direction = subject_ == Subject::Face ? 0 : 1;
+  task_->start(
+      [this, face, scan, direction, frontal = frontal_](const BackgroundTask::Progress& goOn) -> std::function<void()> {
+        const Measured measured = measure(face, scan, frontal, direction, goOn);
+        return [this, measured] { take(measured); };
+      },
+      BackgroundTask::Before::Finishes);
+}
+
+void DistanceMap::take(const Measured& measured) {
+  if (subject_ == Subject::None) return;
+  if (!measured.fault.empty()) {
+    emit model_->failed(tr("There is no distance map: %1").arg(QString::fromStdString(measured.fault)), QString());
+    setSubject(Subject::None);
+    return;
+  }
+  map_ = measured.map;
+  summary_ = tr("%1%2: RMS %3 mm, median %4, 95 % below %5, largest %6 mm")
+                 .arg(subject_ == Subject::Face ? tr("Face to scan") : tr("Scan to face"))
+                 .arg(frontal_ ? tr(", z > 50 mm") : QString())
+                 .arg(measured.rms, 0, 'f', 2)
+                 .arg(measured.median, 0, 'f', 2)
+                 .arg(measured.percentile95, 0, 'f', 2)
+                 .arg(measured.largest, 0, 'f', 2);
+  draw();
+  emit changed();
+}
+
+void DistanceMap::draw() {
+  overlay_.showSurface(map_, "Distance", {tr("Distance [mm]"), 0.0, largest_, FaceOverlay::Colors::Sequential});
+}
+
+}  // namespace mien

@@ -1,0 +1,299 @@
+#include "ScanPanel.h"
+
+#include <vtkActor.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "Acquire.h"
+#include "BackgroundTask.h"
+#include "CurveFile.h"
+#include "FaceModel.h"
+#include "FaceView.h"
+#include "FramedButton.h"
+#include "LengthUnit.h"
+#include "vtkBoundaryCurveReader.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double translucent = 0.45;
+constexpr int longestName = 150;  // pixels
+const QColor scanColor("#5b8fc7");
+const char* const endings[] = {".ply", ".obj", ".stl", ".off", ".csv"};
+
+bool isTable(const QString& fileName) {
+  return fileName.endsWith(".csv", Qt::CaseInsensitive);
+}
+
+}  // namespace
+
+struct ScanPanel::Found {
+  MeasuredScan scan;
+  std::string fault;
+};
+
+ScanPanel::ScanPanel(FaceModel* model, FaceView* view, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      view_(view),
+      task_(new BackgroundTask(this)),
+      map_(new DistanceMap(model, view, this)),
+      open_(new QToolButton(this)),
+      landmarks_(new QToolButton(this)),
+      adopt_(new QToolButton(this)),
+      cancel_(new QToolButton(this)),
+      unit_(new QComboBox(this)),
+      subject_(new QComboBox(this)),
+      visible_(new QCheckBox(tr("Show scan"), this)),
+      frontal_(new QCheckBox(tr("Front only"), this)),
+      largest_(new QDoubleSpinBox(this)),
+      progress_(new QProgressBar(this)),
+      report_(new QPlainTextEdit(this)) {
+  setObjectName("scanPanel");
+  describeButtons();
+  describeMap();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 6, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(row({open_, landmarks_, unit_, adopt_, visible_}));
+  column->addWidget(row({new QLabel(tr("Distances"), this), subject_, largest_, frontal_, progress_, cancel_}));
+  column->addWidget(report_, 1);
+  actor_->GetProperty()->SetColor(scanColor.redF(), scanColor.greenF(), scanColor.blueF());
+  actor_->GetProperty()->SetOpacity(translucent);
+  actor_->GetProperty()->BackfaceCullingOn();  // seen through, it is one skin and not two
+  connectButtons();
+  connectMap();
+  showReport();
+}
+
+/// The work ends before what it is delivered to.
+ScanPanel::~ScanPanel() {
+  delete task_;
+}
+
+void ScanPanel::describeButtons() {
+  makeFramed(open_, "scanOpen", tr("Scan..."),
+             tr("Measures the curves of a scan of a head: .ply .obj .stl .off, in any unit and pose"));
+  makeFramed(landmarks_, "scanLandmarks", tr("Landmarks..."),
+             tr("Landmarks of the scan from a .csv; without one they are found by fitting the generic face"));
+  landmarks_->setCheckable(true);
+  makeFramed(adopt_, "scanAdopt", tr("Adopt curves..."),
+             tr("Writes the scan's curves as .vtp and makes them the face"));
+  makeFramed(cancel_, "scanCancel", tr("Cancel"), tr("Stops measuring the scan"));
+  unit_->setObjectName("scanUnit");
+  unit_->addItem(tr("Unit found"), QString());
+  for (const char* unit : {"mm", "cm", "m", "inch"}) unit_->addItem(unit, unit);
+  unit_->setToolTip(tr("What the scan's lengths are in, where that is not recognised"));
+  visible_->setObjectName("scanVisible");
+  visible_->setChecked(true);
+  visible_->setToolTip(tr("The scan over the face, translucent"));
+  progress_->setObjectName("scanProgress");
+  progress_->setFixedWidth(120);
+  report_->setObjectName("scanReport");
+  report_->setReadOnly(true);
+  report_->setToolTip(tr("What was found: unit, pose, mesh, landmarks, distance of the scan's own spline face"));
+  report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  report_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
+}
+
+void ScanPanel::describeMap() {
+  subject_->setObjectName("scanDistances");
+  subject_->addItems({tr("not shown"), tr("on the face"), tr("on the scan")});
+  subject_->setToolTip(tr("Colours the face, or the scan, by the distance to the other"));
+  largest_->setObjectName("scanLargest");
+  largest_->setRange(0.1, 100.0);
+  largest_->setDecimals(1);
+  largest_->setValue(5.0);
+  largest_->setPrefix(tr("0 .. "));
+  largest_->setSuffix(" mm");
+  largest_->setToolTip(tr("The distance that has the last colour; what is further away has it too"));
+  frontal_->setObjectName("scanFrontal");
+  frontal_->setChecked(true);
+  frontal_->setToolTip(
+      tr("RMS, median, 95 % and largest of what lies in front of z = 50 mm, the face without its head"));
+}
+
+QWidget* ScanPanel::row(const std::vector<QWidget*>& controls) {
+  auto* box = new QWidget(this);
+  auto* layout = new QHBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (QWidget* control : controls) layout->addWidget(control);
+  layout->addStretch();
+  return box;
+}
+
+void ScanPanel::connectButtons() {
+  connect(open_, &QToolButton::clicked, this, &ScanPanel::choose);
+  connect(landmarks_, &QToolButton::clicked, this, &ScanPanel::chooseLandmarks);
+  connect(adopt_, &QToolButton::clicked, this, &ScanPanel::chooseAdopted);
+  connect(unit_, qOverload<int>(&QComboBox::activated), this, &ScanPanel::measure);
+  connect(visible_, &QCheckBox::toggled, this, &ScanPanel::showScan);
+  connect(cancel_, &QToolButton::clicked, task_, &BackgroundTask::cancel);
+  connect(task_, &BackgroundTask::progressed, progress_, &QProgressBar::setValue);
+  connect(task_, &BackgroundTask::runningChanged, this, &ScanPanel::showReport);
+}
+
+void ScanPanel::connectMap() {
+  connect(subject_, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this](int index) { map_->setSubject(static_cast<DistanceMap::Subject>(index)); });
+  connect(largest_, qOverload<double>(&QDoubleSpinBox::valueChanged), map_, &DistanceMap::setLargest);
+  connect(frontal_, &QCheckBox::toggled, map_, &DistanceMap::setFrontalOnly);
+  connect(map_, &DistanceMap::changed, this, [this] {
+    const QSignalBlocker silent(subject_);
+    subject_->setCurrentIndex(static_cast<int>(map_->subject()));
+    showReport();
+    showScan();
+  });
+}
+
+void ScanPanel::choose() {
+  const QString name =
+      QFileDialog::getOpenFileName(window(), tr("Open a scan of a head"), QString(),
+                                   tr("Scans (*.ply *.obj *.stl *.off *.PLY *.OBJ *.STL *.OFF);;All files (*)"));
+  if (!name.isEmpty()) open(name);
+}
+
+void ScanPanel::chooseLandmarks(bool on) {
+  const QString name = on ? QFileDialog::getOpenFileName(window(), tr("Open landmarks"), QString(),
+                                                         tr("Landmarks (*.csv *.CSV);;All files (*)"))
+                          : QString();
+  openLandmarks(name);
+}
+
+void ScanPanel::chooseAdopted() {
+  QString name =
+      QFileDialog::getSaveFileName(window(), tr("Save the scan's curves"), QFileInfo(file_).completeBaseName() + ".vtp",
+                                   tr("Boundary curves (*.vtp)"));
+  if (name.isEmpty()) return;
+  if (QFileInfo(name).suffix().isEmpty()) name += ".vtp";
+  adopt(name);
+}
+
+QString ScanPanel::droppedFile(const QMimeData* data) {
+  for (const QUrl& url : data->urls())
+    for (const char* ending : endings)
+      if (url.isLocalFile() && url.toLocalFile().endsWith(ending, Qt::CaseInsensitive)) return url.toLocalFile();
+  return {};
+}
+
+void ScanPanel::openDropped(const QString& fileName) {
+  isTable(fileName) ? openLandmarks(fileName) : open(fileName);
+}
+
+void ScanPanel::open(const QString& fileName) {
+  file_ = fileName;
+  measure();
+}
+
+void ScanPanel::openLandmarks(const QString& fileName) {
+  landmarkFile_ = fileName;
+  landmarks_->setChecked(!fileName.isEmpty());
+  showLandmarkFile();
+  measure();
+}
+
+/// A long name would widen the window.
+void ScanPanel::showLandmarkFile() {
+  const QString name = QFileInfo(landmarkFile_).fileName();
+  landmarks_->setText(name.isEmpty() ? tr("Landmarks...")
+                                     : fontMetrics().elidedText(name, Qt::ElideMiddle, longestName));
+}
+
+bool ScanPanel::isMeasuring() const {
+  return task_->isRunning();
+}
+
+void ScanPanel::measure() {
+  emit opened();
+  if (file_.isEmpty()) return;
+  AcquireOptions options;
+  options.landmarkFile = landmarkFile_.toStdString();
+  options.report = true;
+  if (const LengthUnit* unit = lengthUnit(unit_->currentData().toString().toStdString()))
+    options.scan.millimetres = unit->millimetres;
+  task_->start(
+      [this, options, file = file_.toStdString()](const BackgroundTask::Progress& goOn) -> std::function<void()> {
+        Found found;
+        found.fault = measureScan(options, file, found.scan, goOn);
+        return [this, found] { take(found); };
+      });
+}
+
+void ScanPanel::take(const Found& found) {
+  if (!found.fault.empty()) {
+    emit model_->failed(QString::fromStdString(found.fault),
+                        tr("The boxes Unit and Landmarks of the dock Curves stand for --units and --landmarks."));
+    return;
+  }
+  curves_ = found.scan.curves;
+  scan_ = found.scan.scan;
+  text_ = QString::fromStdString(reportText(found.scan.result));
+  map_->setScan(scan_);
+  showScan();
+  showReport();
+}
+
+bool ScanPanel::adopt(const QString& fileName) {
+  if (!curves_) return false;
+  const std::string fault = writeCurveFile(curves_, fileName.toStdString());
+  if (!fault.empty()) {
+    emit model_->failed(QString::fromStdString(fault), QString());
+    return false;
+  }
+  model_->pipeline().neutralCurves()->Modified();  // it may have been read under this name before
+  model_->change([&](FaceState& state) {
+    state.curvesFile = fileName.toStdString();
+    state.edits.clear();
+  });
+  if (!model_->update()) return false;
+  emit model_->remarked(tr("%1 was written and is the face now.").arg(QFileInfo(fileName).fileName()), fileName);
+  return true;
+}
+
+void ScanPanel::showReport() {
+  const bool running = task_->isRunning();
+  progress_->setVisible(running);
+  cancel_->setVisible(running);
+  adopt_->setEnabled(curves_ && !running);
+  for (QWidget* control : std::initializer_list<QWidget*>{visible_, subject_, largest_, frontal_})
+    control->setEnabled(scan_);
+  QString text =
+      text_.isEmpty() ? tr("A scan opened here or dropped onto the dock is measured and shown over the face.") : text_;
+  if (running) text = tr("Measuring %1 ...").arg(QFileInfo(file_).fileName());
+  if (!map_->summary().isEmpty()) text = map_->summary() + "\n" + text;
+  if (text != report_->toPlainText()) report_->setPlainText(text);
+}
+
+/// Where the scan itself is coloured by distances, the plain one would cover it.
+void ScanPanel::showScan() {
+  view_->renderer()->RemoveActor(actor_);
+  if (scan_ && visible_->isChecked() && map_->subject() == DistanceMap::Subject::None) {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(scan_);
+    mapper->ScalarVisibilityOff();
+    actor_->SetMapper(mapper);
+    view_->renderer()->AddActor(actor_);
+  }
+  view_->redraw();
+}
+
+}  // namespace mien

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <QWidget>
+#include <vector>
+
+#include "DistanceMap.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QMimeData;
+class QPlainTextEdit;
+class QProgressBar;
+class QToolButton;
+class vtkActor;
+
+namespace mien {
+
+class BackgroundTask;
+class FaceModel;
+class FaceView;
+
+/// What face does a scan have, and how far is the present one from it? A scan is measured off the GUI thread and shown
+/// beside the face; its curves can become the face, and distances are shown as colours.
+class ScanPanel : public QWidget {
+  Q_OBJECT
+ public:
+  ScanPanel(FaceModel* model, FaceView* view, QWidget* parent = nullptr);
+  ~ScanPanel() override;
+
+  void open(const QString& fileName);                 ///< a scan: .ply .obj .stl .off
+  void openLandmarks(const QString& fileName);        ///< of the scan, .csv; empty: they are found by fitting
+  bool adopt(const QString& fileName);                ///< writes the measured curves as .vtp and makes them the face
+  static QString droppedFile(const QMimeData* data);  ///< one that openDropped() takes, or nothing
+  void openDropped(const QString& fileName);
+  bool isMeasuring() const;
+  bool hasScan() const { return scan_; }
+
+ signals:
+  void opened();  ///< whatever came of it
+
+ private:
+  struct Found;
+  void describeButtons();
+  void describeMap();
+  QWidget* row(const std::vector<QWidget*>& controls);
+  void connectButtons();
+  void connectMap();
+  void measure();
+  void take(const Found& found);
+  void choose();
+  void chooseLandmarks(bool on);
+  void chooseAdopted();
+  void showLandmarkFile();
+  void showReport();
+  void showScan();
+
+  FaceModel* model_;
+  FaceView* view_;
+  BackgroundTask* task_;
+  DistanceMap* map_;
+  QToolButton *open_, *landmarks_, *adopt_, *cancel_;
+  QComboBox *unit_, *subject_;
+  QCheckBox *visible_, *frontal_;
+  QDoubleSpinBox* largest_;
+  QProgressBar* progress_;
+  QPlainTextEdit* report_;
+  vtkNew<vtkActor> actor_;
+  vtkSmartPointer<vtkPolyData> curves_, scan_;
+  QString file_, landmarkFile_, text_;
+};
+
+}  // namespace mien
