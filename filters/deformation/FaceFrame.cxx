@@ -209,7 +209,7 @@ std::string readPose(Reading& reading) {
     return "the face is mirrored by its landmarks: its nose points backwards, or left and right are exchanged; turn "
            "one axis of the mesh round, or give landmarks whose left is the subject's own";
   const Eigen::Matrix3d rotation = faceRotation(landmarks);
-  if (rotation(2, 2) < 0.0)
+  if (rotation(2, 2) < -0.5)
     return "the face looks backwards by its landmarks, " + degrees(std::acos(std::max(rotation(2, 2), -1.0))) +
            " degrees away from +z; turn it to look along +z";
   const FacePose pose = facePose(landmarks);
@@ -225,7 +225,8 @@ std::string readPose(Reading& reading) {
                               ? ", so it was turned there for the table, and back"
                               : ": turn it there, or say how it is turned with the field array HeadRotation");
   if (!reading.options.turnsToFront) return {};
-  frame.turned.rotation = frame.turned.rotation * rotation;
+  // An angle that may be the face's own leaning is not taken for a turn beside one that is.
+  frame.turned.rotation = frame.turned.rotation * faceRotation(landmarks, warnedPose * M_PI / 180.0);
   return setPupils(frame);
 }
 

@@ -154,6 +154,7 @@ int vtkFDTCurveFilter::RequestData(vtkInformation*, vtkInformationVector** input
   movePoints(output, rows, orderedMoves(rows, moves, &order));
   this->Pushed = order.pushed;
   this->KeptShare = order.keptShare;
+  this->Crossings = order.crossings;
   if (order.keptShare < 1.0)
     vtkWarningMacro("the curves would cross: " << std::lround(100.0 * order.keptShare)
                                                << " % of the table's movement were kept");
@@ -164,6 +165,7 @@ void vtkFDTCurveFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Strength: " << this->Strength << "\n";
   os << indent << "Pushed: " << this->Pushed << "\n";
+  os << indent << "Crossings: " << this->Crossings << "\n";
   os << indent << "KeptShare: " << this->KeptShare << "\n";
   os << indent << "Smooth: " << (this->Smooth ? "on" : "off") << "\n";
 }

@@ -41,10 +41,12 @@ class MIENDEFORMATION_EXPORT vtkFDTCurveFilter : public vtkPolyDataAlgorithm {
   ///@}
 
   ///@{
-  /** The furthest that a point gave way along y so that no curves cross, mm; and the share of the movement that was
-   * kept, 1 unless giving way was not enough. Of the last update. */
+  /** The furthest that a point gave way along y so that no curves cross at their points, mm; the share of the movement
+   * that was kept, 1 unless giving way was not enough; and the places between points (of eight) where a curve still
+   * lies more than 0.1 mm below the next. Of the last update. */
   vtkGetMacro(Pushed, double);
   vtkGetMacro(KeptShare, double);
+  vtkGetMacro(Crossings, int);
   ///@}
 
  protected:
@@ -59,6 +61,7 @@ class MIENDEFORMATION_EXPORT vtkFDTCurveFilter : public vtkPolyDataAlgorithm {
   double Strength = 1.0;
   bool Smooth = true;
   double Pushed = 0.0, KeptShare = 1.0;
+  int Crossings = 0;
 };
 
 #endif
