@@ -15,7 +15,8 @@ namespace mien {
 namespace {
 
 constexpr int coefficientCount = 12, rmsColumn = 12, allColumns = 13;
-constexpr double smaller = 0.85;  // of the application's letters: 13 columns in half a window
+constexpr double leastNumber = 1e-9;  // what is below it is rounding
+constexpr double smaller = 0.85;      // of the application's letters: 13 columns in half a window
 constexpr int lineHeight = 21, shownRows = 10, leastWidth = 44;  // pixels
 constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
 constexpr const char* units[] = {"1/pupil unit", "1/pupil unit", "1/pupil unit", "no unit", "no unit", "pupil units"};
@@ -37,6 +38,15 @@ QString sideText(int side) {
   return side == 0  ? CoefficientTable::tr("within")
          : side < 0 ? CoefficientTable::tr("below")
                     : CoefficientTable::tr("above");
+}
+
+/// Two decimals, or one digit of what would read 0.00.
+QString cellText(double value) {
+  const double size = std::abs(value);
+  if (size < leastNumber) return QStringLiteral("0");
+  const QString text =
+      size < 0.005 ? QString::number(value, 'e', 0).replace("e-0", "e-") : QString::number(value, 'f', 2);
+  return QString(text).replace('-', QChar(0x2212));
 }
 
 QString regionText(int region) {
@@ -123,7 +133,7 @@ void CoefficientTable::fillCoefficient(int region, int coefficient) {
   const int side = sideOf(difference, deviation);
   QTableWidgetItem* cell = item(region - 1, coefficient);
   const QString arrow = side == 0 ? QString() : side < 0 ? QStringLiteral("\u25be") : QStringLiteral("\u25b4");
-  cell->setText(QString::number(value, 'f', 2).replace("-0.00", "0.00").replace('-', QChar(0x2212)) + arrow);
+  cell->setText(cellText(value) + arrow);
   cell->setData(RangeDelegate::placeRole, deviation > 0.0 ? QVariant(difference / deviation) : QVariant());
   QFont font = this->font();
   font.setBold(side != 0);

@@ -15,6 +15,7 @@
 #include "CoefficientTable.h"
 #include "DeformationChoice.h"
 #include "DeformationText.h"
+#include "ElidedLabel.h"
 #include "ExportButton.h"
 #include "FaceModel.h"
 #include "FaceView.h"
@@ -61,8 +62,8 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
       figure_(new FigureView("deformationFigure", FigureView::Marker::Band, this)),
       shown_(new QComboBox(this)),
       mean_(new QComboBox(this)),
-      detail_(new QLabel(this)),
-      expression_(new QLabel(this)),
+      detail_(new ElidedLabel(this)),
+      expression_(new ElidedLabel(this)),
       onFace_(new QToolButton(this)) {
   setObjectName("deformationPanel");
   setAcceptDrops(true);
@@ -99,10 +100,6 @@ void DeformationPanel::describeControls() {
   expression_->setObjectName("deformationExpression");
   expression_->setToolTip(
       tr("The mean table that explains most of the movement from A to the present face, and its intensity"));
-  for (QLabel* label : {detail_, expression_}) {
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    label->setMinimumWidth(1);
-  }
   detail_->setProperty("faint", true);
   expression_->setProperty("heading", true);
   figure_->setAccessibleName(tr("Movement that each expression does not explain"));

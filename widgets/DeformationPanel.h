@@ -5,13 +5,13 @@
 #include "Figure.h"
 
 class QComboBox;
-class QLabel;
 class QToolButton;
 
 namespace mien {
 
 class CoefficientTable;
 class DeformationChoice;
+class ElidedLabel;
 class FaceModel;
 class FaceView;
 class FigureView;
@@ -51,7 +51,7 @@ class DeformationPanel : public QWidget {
   CoefficientTable* coefficients_;
   FigureView* figure_;
   QComboBox *shown_, *mean_;
-  QLabel *detail_, *expression_;
+  ElidedLabel *detail_, *expression_;
   QToolButton* onFace_;
 };
 

@@ -8,13 +8,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QToolButton>
 #include <QVariant>
 #include <algorithm>
 #include <filesystem>
 
 #include "DeformationText.h"
+#include "ElidedLabel.h"
 #include "FDTData.h"
 #include "FaceModel.h"
 #include "FramedButton.h"
@@ -33,6 +33,8 @@ QString writeFit(const DeformationTable& table, const std::string& comment, cons
   vtkNew<vtkFDTWriter> writer;
   PipelineErrors errors;
   errors.observe(writer);
+  const std::string excess = table.describeExcess();
+  if (!excess.empty()) return FitBar::tr("%1 is not written: %2").arg(fileName, QString::fromStdString(excess));
   writeFDT(table, data);
   writer->SetInputData(data);
   writer->SetFileName(part.toStdString().c_str());
@@ -55,7 +57,7 @@ FitBar::FitBar(FaceModel* model, PresentTable* present, QWidget* parent)
       pin_(new QToolButton(this)),
       use_(new QToolButton(this)),
       save_(new QToolButton(this)),
-      status_(new QLabel(this)) {
+      status_(new ElidedLabel(this)) {
   describeControls();
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -82,15 +84,13 @@ void FitBar::describeControls() {
              tr("Writes the table fitted from A to the present face as .csv, in pupil units"));
   status_->setObjectName("deformationStatus");
   status_->setProperty("faint", true);
-  status_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  status_->setMinimumWidth(1);
 }
 
 void FitBar::showFit() {
   const auto& fit = present_->fit();
   const bool moves = fit && fit->fault.isEmpty() && fit->moves();
   const bool plain = present_->neutralState().deformation.table.empty();
-  use_->setEnabled(moves && plain);
+  use_->setEnabled(moves && plain && fit->table.describeExcess().empty());
   save_->setEnabled(moves);
   status_->setToolTip(tr(
       "How well 16 quadratic maps from A to the present face fit: the root mean square of what is left, in pupil units "
@@ -99,11 +99,11 @@ void FitBar::showFit() {
   if (!fit->fault.isEmpty()) return status_->setText(fit->fault);
   if (!moves) return status_->setText(tr("A: %1. The present face is A; move it.").arg(present_->neutralText()));
   const auto worst = std::max_element(fit->rms.begin(), fit->rms.end());
-  status_->setText(tr("A: %1. RMS %2, at most %3 (region %4) pupil units")
-                       .arg(present_->neutralText())
+  status_->setText(tr("RMS %1, up to %2 (region %3). A: %4")
                        .arg(fit->totalRms, 0, 'f', 4)
                        .arg(*worst, 0, 'f', 4)
-                       .arg(worst - fit->rms.begin() + 1));
+                       .arg(worst - fit->rms.begin() + 1)
+                       .arg(present_->neutralText()));
   if (!fit->warning.isEmpty()) status_->setToolTip(fit->warning);
 }
 

@@ -2,11 +2,11 @@
 
 #include <QWidget>
 
-class QLabel;
 class QToolButton;
 
 namespace mien {
 
+class ElidedLabel;
 class FaceModel;
 class PresentTable;
 
@@ -29,7 +29,7 @@ class FitBar : public QWidget {
   FaceModel* model_;
   PresentTable* present_;
   QToolButton *pin_, *use_, *save_;
-  QLabel* status_;
+  ElidedLabel* status_;
   int used_ = 0;  ///< fits of this session
 };
 

@@ -7,7 +7,6 @@
 #include <vtkFDTReader.h>
 #include <vtkFacialRegionFilter.h>
 #include <vtkGeometryFilter.h>
-#include <vtkMath.h>
 #include <vtkPDEFaceFilter.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -16,11 +15,11 @@
 #include <vtkTextProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <Eigen/Geometry>
 #include <QEvent>
+#include <algorithm>
 #include <cmath>
 
-#include "DefaultRegions.h"
-#include "FaceFrame.h"
 #include "FaceModel.h"
 #include "FaceOverlay.h"
 #include "FaceView.h"
@@ -33,10 +32,13 @@ namespace {
 
 constexpr int fineRows = 218, fineColumns = 160;  // borders of regions are then finer than a number's line
 constexpr const char* colorArray = "RegionColor";
-constexpr double lift = 8.0;  // mm by which a number stands before the skin, or its corners would sink into a cheek
-constexpr double leastForwards = 0.3;  // z of the unit normal
-constexpr double leastTowards = 0.3;   // cosine between a number's skin and the camera
-constexpr double paleness = 0.75;      // of regions that do not stand out
+constexpr double lift = 8.0;  // mm from the skin to the camera, or a number's corners would sink into a cheek
+constexpr double sizeShare = 1.0 / 32.0;  // of the view's height
+constexpr int leastSize = 14;             // pt
+constexpr double emphasis = 1.4;          // of the number of the region that stands out
+constexpr double leastTowards = 0.3;      // cosine between skin and the way to the camera, for a number's place
+constexpr double coverDepth = 12.0, coverReach = 5.0;  // mm: skin that hides a place, in front of it and aside
+constexpr double paleness = 0.75;                      // of regions that do not stand out
 
 // Of region 1 .. 16; neighbours differ, mirrored regions are alike where they do not touch. After Okabe and Ito,
 // lighter.
@@ -48,13 +50,15 @@ QColor mixed(const QColor& a, const QColor& b, double share) {
                           a.blueF() + share * (b.blueF() - a.blueF()));
 }
 
-/// The points of a skin that has been through vtkFacialRegionFilter.
+/// The points of a skin that has been through vtkFacialRegionFilter, as they are seen from somewhere.
 struct RegionPoints {
   vtkPolyData* skin;
+  Eigen::Vector3d towards;  ///< from the skin to the camera
   vtkDataArray *regions, *coverage, *normals;
 
-  explicit RegionPoints(vtkPolyData* data)
+  explicit RegionPoints(vtkPolyData* data, const Eigen::Vector3d& eye = Eigen::Vector3d::UnitZ())
       : skin(data),
+        towards((eye - Eigen::Vector3d(data->GetCenter())).normalized()),
         regions(data->GetPointData()->GetArray("Region")),
         coverage(data->GetPointData()->GetArray("RegionCoverage")),
         normals(data->GetPointData()->GetArray("Normals")) {}
@@ -62,40 +66,57 @@ struct RegionPoints {
   int region(vtkIdType point) const { return static_cast<int>(regions->GetComponent(point, 0)); }
   double share(vtkIdType point) const { return coverage->GetComponent(point, 0); }
 
-  /// How much a point looks forwards: cheeks have most of their points at the side of the head, where no number is
-  /// read.
+  /// How much a point looks at the camera: most points of a cheek are at the side of the head, where no number is read
+  /// from the front.
   double weight(vtkIdType point) const {
-    const double forwards = normals ? normals->GetComponent(point, 2) : 1.0;
-    return forwards < leastForwards ? 0.0 : share(point) * forwards * forwards * forwards;
+    const double seen = normals ? towards.dot(Eigen::Vector3d(normals->GetTuple3(point))) : 1.0;
+    return seen < leastTowards ? 0.0 : share(point) * seen * seen * seen;
   }
 
-  /// Whether there is a place for its number: on the face and seen from the front.
+  /// Whether there is a place for its number: on the face and turned to the camera.
   bool bearsNumber(vtkIdType point) const { return weight(point) > 0.25; }
 
-  /// For each region the point nearest to its centre as the region map has it; -1 where it has none.
+  /// For each region the point nearest to the middle of what is seen of it; -1 where nothing is.
   std::array<vtkIdType, 16> middles() const {
-    std::array<double, 16> least;
+    std::array<Eigen::Vector3d, 16> middle;
+    std::array<double, 16> weights{}, least;
     std::array<vtkIdType, 16> nearest;
+    middle.fill(Eigen::Vector3d::Zero());
     least.fill(1e300);
     nearest.fill(-1);
-    FaceFrame frame;
-    if (!readPupils(skin, {}, frame).empty()) return nearest;
-    Eigen::Vector3d place;
     for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
-      if (!bearsNumber(i)) continue;
-      skin->GetPoint(i, place.data());
+      middle[region(i) - 1] += weight(i) * place(i);
+      weights[region(i) - 1] += weight(i);
+    }
+    for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
       const int index = region(i) - 1;
-      const double distance =
-          (frame.pupils.apply(frame.turned.rotation.transpose() * (place - frame.turned.centre) + frame.turned.centre)
-               .head<2>() -
-           defaultRegions().centre(index + 1))
-              .norm();
+      if (!bearsNumber(i)) continue;
+      // As it is seen: the middle of a nose's points lies within the nose.
+      const double distance = (place(i) - middle[index] / weights[index]).cross(towards).norm();
       if (distance >= least[index]) continue;
       least[index] = distance;
       nearest[index] = i;
     }
+    leaveOutHidden(nearest);
     return nearest;
   }
+
+  /// Takes out points with skin between them and the camera, as a cheek behind the nose.
+  void leaveOutHidden(std::array<vtkIdType, 16>& points) const {
+    const std::array<vtkIdType, 16> asked = points;
+    std::array<Eigen::Vector3d, 16> places;
+    for (int k = 0; k < 16; ++k) places[k] = asked[k] < 0 ? Eigen::Vector3d::Zero() : place(asked[k]);
+    for (vtkIdType i = 0; i < skin->GetNumberOfPoints(); ++i) {
+      const Eigen::Vector3d other = place(i);
+      for (int k = 0; k < 16; ++k) {
+        const Eigen::Vector3d way = other - places[k];
+        const double nearer = way.dot(towards);
+        if (nearer > coverDepth && way.squaredNorm() - nearer * nearer < coverReach * coverReach) points[k] = -1;
+      }
+    }
+  }
+
+  Eigen::Vector3d place(vtkIdType point) const { return Eigen::Vector3d(skin->GetPoint(point)); }
 };
 
 }  // namespace
@@ -118,7 +139,7 @@ RegionOverlay::RegionOverlay(FaceModel* model, FaceView* view, QObject* parent)
     text->SetColor(0.06, 0.08, 0.1);
     text->SetBold(true);
   }
-  started_ = view_->renderer()->AddObserver(vtkCommand::StartEvent, this, &RegionOverlay::hideTurned);
+  started_ = view_->renderer()->AddObserver(vtkCommand::StartEvent, this, &RegionOverlay::turnNumbers);
   view_->installEventFilter(this);
   connect(overlay_, &FaceOverlay::shownChanged, this, [this](bool shown) {
     if (!shown) removeNumbers();
@@ -174,7 +195,10 @@ void RegionOverlay::paint() {
   skin->ShallowCopy(outwards_->GetOutput());
   color(skin);
   overlay_->showColors(skin, colorArray);
-  placeNumbers(skin);
+  skin_ = skin;
+  eye_.reset();
+  for (const auto& number : numbers_) view_->renderer()->AddActor(number);
+  view_->redraw();
 }
 
 void RegionOverlay::color(vtkPolyData* skin) const {
@@ -195,33 +219,31 @@ void RegionOverlay::color(vtkPolyData* skin) const {
   skin->GetPointData()->AddArray(colors);
 }
 
-void RegionOverlay::placeNumbers(vtkPolyData* skin) {
-  vtkDataArray* normals = skin->GetPointData()->GetArray("Normals");
-  const std::array<vtkIdType, 16> middles = RegionPoints(skin).middles();
-  removeNumbers();
+/// Every number stands between its skin and the camera, so that it is seen where its region is, from any side.
+void RegionOverlay::placeNumbers(const Eigen::Vector3d& eye) {
+  const RegionPoints points(skin_, eye);
+  const std::array<vtkIdType, 16> middles = points.middles();
   for (int i = 0; i < 16; ++i) {
-    const vtkIdType point = middles[i];
-    if (point < 0) continue;
-    double place[3];
-    skin->GetPoint(point, place);
-    for (int axis = 0; axis < 3; ++axis)
-      place[axis] += lift * (normals ? normals->GetComponent(point, axis) : axis == 2);
-    numbers_[i]->SetPosition(place);
-    for (int axis = 0; axis < 3; ++axis) outward_[i][axis] = normals ? normals->GetComponent(point, axis) : axis == 2;
-    numbers_[i]->GetTextProperty()->SetFontSize(region_ == i + 1 ? 20 : 14);
-    view_->renderer()->AddActor(numbers_[i]);
+    numbers_[i]->SetVisibility(middles[i] >= 0);
+    if (middles[i] < 0) continue;
+    const Eigen::Vector3d place = points.place(middles[i]), before = place + lift * (eye - place).normalized();
+    numbers_[i]->SetPosition(before.x(), before.y(), before.z());
   }
-  view_->redraw();
+  eye_ = eye;
 }
 
-/// A number is read while its skin is turned to the camera; at the face's silhouette it would stand beside it.
-void RegionOverlay::hideTurned() {
-  double forwards[3];
-  view_->renderer()->GetActiveCamera()->GetDirectionOfProjection(forwards);
-  for (int i = 0; i < 16; ++i) numbers_[i]->SetVisibility(-vtkMath::Dot(forwards, outward_[i].data()) > leastTowards);
+/// Before each picture.
+void RegionOverlay::turnNumbers() {
+  if (!isShown()) return;
+  const Eigen::Vector3d eye(renderer_->GetActiveCamera()->GetPosition());
+  if (eye_ != eye) placeNumbers(eye);
+  const double size = std::max<double>(leastSize, sizeShare * renderer_->GetSize()[1]);
+  for (int i = 0; i < 16; ++i)
+    numbers_[i]->GetTextProperty()->SetFontSize(std::lround(region_ == i + 1 ? emphasis * size : size));
 }
 
 void RegionOverlay::removeNumbers() {
+  skin_ = nullptr;
   for (const auto& number : numbers_) view_->renderer()->RemoveActor(number);
 }
 

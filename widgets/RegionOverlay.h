@@ -3,8 +3,10 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <Eigen/Core>
 #include <QObject>
 #include <array>
+#include <optional>
 
 #include "PipelineErrors.h"
 
@@ -46,8 +48,8 @@ class RegionOverlay : public QObject {
   std::string build();
   void paint();
   void color(vtkPolyData* skin) const;
-  void placeNumbers(vtkPolyData* skin);
-  void hideTurned();
+  void placeNumbers(const Eigen::Vector3d& eye);
+  void turnNumbers();
   void removeNumbers();
 
   FaceModel* model_;
@@ -62,7 +64,8 @@ class RegionOverlay : public QObject {
   vtkNew<vtkReverseSense> outwards_;
   PipelineErrors errors_;
   std::array<vtkNew<vtkBillboardTextActor3D>, 16> numbers_;
-  std::array<std::array<double, 3>, 16> outward_{};  ///< where the skin below each number looks
+  vtkSmartPointer<vtkPolyData> skin_;   ///< that the numbers stand on
+  std::optional<Eigen::Vector3d> eye_;  ///< where the numbers were placed for
   unsigned long started_ = 0;
   int region_ = 0;
 };

@@ -9,6 +9,7 @@
 #include "EyeShells.h"
 #include "FaceFront.h"
 #include "FaceLandmarks.h"
+#include "FacePosture.h"
 #include "FaceTurn.h"
 #include "GridFaceSides.h"
 #include "MeshEdgeData.h"
@@ -98,9 +99,9 @@ std::string findPupils(Reading& reading, EyePupils& pupils) {
       findInField(reading.data, pupils))
     return {};
   if (options.landmarkFile.empty())
-    return "nothing tells where its pupils are; give the 68 landmarks (--landmarks, LandmarkFileName), the places of "
-           "both pupils (--pupils x,y,z,x,y,z, LeftPupil and RightPupil), or two points named " +
-           options.leftPupilName + " and " + options.rightPupilName + " in the point array marker";
+    return "there are no pupils; set both, name two points " + options.leftPupilName + " and " +
+           options.rightPupilName +
+           " in the point array marker, add the field array Pupils (2 x 3), or give the 68 landmarks";
   const std::string fault = reading.readLandmarks();
   if (fault.empty()) pupils = reading.mesh->pupils;
   return fault;
@@ -125,6 +126,14 @@ std::string readPoints(vtkPointSet* data, FaceFrame& frame, const Progress& prog
     frame.points[i].position = unturned(frame.turned, place);
   }
   return {};
+}
+
+std::string describePosture(const FaceFrame& frame) {
+  return frame.isMesh && standsOnItsHead(frame.points, frame.pupils)
+             ? "the nose lies above the eyes; exchange the pupils (the subject's own left one has the larger x), or "
+               "turn "
+               "the face upright"
+             : "";
 }
 
 /// Sides that the data bring along. @return whether there are any
@@ -284,8 +293,9 @@ std::string readFaceFrame(vtkPointSet* data, const FaceFrameOptions& options, co
   std::string fault = readPupils(reading);
   if (fault.empty()) fault = readPose(reading);
   if (fault.empty()) fault = readPoints(data, frame, partOf(progress, 0.2, 0.5));
-  if (fault.empty()) fault = readSides(reading, regions, partOf(progress, 0.5, 0.9));
   if (fault.empty()) fault = judgeFront(reading);
+  if (fault.empty()) fault = describePosture(frame);
+  if (fault.empty()) fault = readSides(reading, regions, partOf(progress, 0.5, 0.9));
   if (fault.empty()) fault = readEyes(reading);
   if (fault.empty() && !goesOn(progress, 1.0)) fault = stopped;
   return fault.empty() ? readGivenRegions(data, frame) : fault;

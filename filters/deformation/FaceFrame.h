@@ -46,8 +46,8 @@ MIENDEFORMATION_EXPORT std::string readPupils(vtkPointSet* data, const FaceFrame
 /// `region` (1 .. 16, 0: by place). Eyes of a mesh stay where they are: what EyeShells.h finds, and with landmarks
 /// EyePupils.h. A mesh whose landmarks look more than 10 degrees away from +z is turned to look there (`turned`) with a
 /// warning; more than 45, backwards and mirrored ones are refused. One without landmarks is judged by its pupils
-/// (FaceFront.h), and gets a warning when these look aside. When `progress` says stop, what is returned is a sentence
-/// too.
+/// (FaceFront.h, FacePosture.h), and gets a warning when these look aside. When `progress` says stop, what is returned
+/// is a sentence too.
 MIENDEFORMATION_EXPORT std::string readFaceFrame(vtkPointSet* data, const FaceFrameOptions& options,
                                                  const FacialRegions& regions, FaceFrame& frame,
                                                  const Progress& progress = {});

@@ -100,6 +100,7 @@ struct vtkFDTDeformationFilter::Internals {
     turned.TakeReference(normals->NewInstance());
     turned->DeepCopy(normals);
     for (std::size_t i = 0; i < before.size(); ++i) {
+      if (after[i] == before[i]) continue;  // bit for bit as it was
       Eigen::Vector3d normal;
       normals->GetTuple(i, normal.data());
       // Polygons may be wound inwards, as those of the PDE face are.

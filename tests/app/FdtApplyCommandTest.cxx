@@ -194,6 +194,12 @@ TEST(FdtApplyCommand, ErrorsSayWhatToDoAndLeaveNothing) {
   expect({"joy", folder.file("a.csv"), "-o", folder.file("o.ply")}, 2, ".csv");
   expect({"joy", folder.file("a.csv"), "--strength", "9", "-o", out}, 2, "-2 .. 2");
   expect({folder.file("a.csv"), "-o", out}, 2, "give a table and a face");
+  const TemporaryFolder heads;
+  const std::string head = heads.file("head.ply"), moved = folder.file("o.ply");
+  ASSERT_EQ(runMien({"surface", "-o", head}).exitCode, 0);
+  expect({"joy", head, "-o", moved}, 1, "head.ply: nothing tells where its pupils are; give the 68 landmarks (--land");
+  expect({"joy", head, "--pupils", "31,37,-31,37", "-o", moved}, 2, "'31,37,-31,37' have no z");
+  expect({"joy", head, "--pupils", "-31,37,82,31,37,82", "-o", moved}, 1, "head.ply: the nose lies above the eyes");
   expect({"joy", folder.file("none.ply"), "-o", folder.file("o.ply")}, 1, "there is no such file");
   EXPECT_EQ(entriesIn(folder.file("")), 1);
 }

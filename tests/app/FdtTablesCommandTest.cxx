@@ -8,6 +8,7 @@
 #include "CsvRows.h"
 #include "MarkerTable.h"
 #include "NamedTables.h"
+#include "PackedTable.h"
 #include "Program.h"
 #include "ReferenceData.h"
 #include "SampleRecording.h"
@@ -217,6 +218,76 @@ TEST(FdtTables, OptionsWithoutEffectAreRefused) {
     EXPECT_EQ(outcome.exitCode, 2) << words[0] << outcome.errors;
   }
   EXPECT_EQ(entriesIn(folder.file("")), 0);
+}
+
+/// No table is written that no reader would take.
+TEST(FdtTables, CoefficientsBeyondTheLimitAreNeitherReadNorWritten) {
+  const TemporaryFolder folder;
+  mien::DeformationTable table;
+  table.maps[8].coefficients(0, 2) = 60.0;
+  writeTextFile(folder.file("steep.csv"), mien::writeTable(table));
+  const std::string steep = folder.file("steep.csv") + ":1";
+  const Outcome sum = run({"blend", steep, steep, "-o", folder.file("sum.csv")});
+  EXPECT_EQ(sum.exitCode, 1);
+  EXPECT_NE(sum.errors.find("sum.csv is not written: region 9 has a coefficient beyond -100 .. 100"), std::string::npos)
+      << sum.errors;
+  EXPECT_EQ(run({"blend", steep, "joy:0.5", "-o", folder.file("within.csv")}).exitCode, 0);
+  table.maps[8].coefficients(0, 2) = 102.0;
+  writeTextFile(folder.file("steeper.csv"), mien::writeTable(table));
+  writeTextFile(folder.file("steeper.fdt"), mien::packTable(table, 16));
+  for (const char* const file : {"steeper.csv", "steeper.fdt"}) {
+    const Outcome shown = run({"show", folder.file(file)});
+    EXPECT_EQ(shown.exitCode, 1);
+    EXPECT_NE(shown.errors.find("beyond -100 .. 100"), std::string::npos) << shown.errors;
+  }
+  const std::string beside =
+      "marker,neutral_x,neutral_y,expression_x,expression_y\npupil_left,30,0,30,0\n"
+      "pupil_right,-30,0,-30,0\n";
+  std::string markers = beside;
+  for (int i = 0; i < 12; ++i) {
+    const double x = -3.0 + 2.0 * (i % 4), y = -105.0 + 2.0 * (i / 4);
+    markers += "m" + std::to_string(i) + "," + std::to_string(x) + "," + std::to_string(y) + "," +
+               std::to_string(x + 9.0 * x * x) + "," + std::to_string(y) + "\n";
+  }
+  writeTextFile(folder.file("r.csv"), markers);
+  const Outcome fitted = run({"fit", folder.file("r.csv"), "-o", folder.file("fit.csv")});
+  EXPECT_EQ(fitted.exitCode, 1);
+  EXPECT_NE(fitted.errors.find("fit.csv is not written: region 16"), std::string::npos) << fitted.errors;
+  EXPECT_EQ(entriesIn(folder.file("")), 5);
+}
+
+TEST(FdtTables, WhatTheyAreMadeFromIsNotReplaced) {
+  const TemporaryFolder folder;
+  const std::string table = folder.file("t.csv"), packed = folder.file("t.fdt"), markers = folder.file("m.csv"),
+                    other = folder.file("") + "/./t.csv";
+  const std::string text = mien::writeTable(*mien::namedTable("joy"));
+  writeTextFile(table, text);
+  const std::string bytes = mien::packTable(*mien::namedTable("joy"), 16);
+  writeTextFile(packed, bytes);
+  const std::string recording = SampleRecording(*mien::namedTable("joy")).recording();
+  writeTextFile(markers, recording);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"blend", table + ":0.5", "joy:0.5", "-o", table},
+        {"blend", "joy", table + ":-1", "-o", other},
+        {"mirror", table, "-o", other},
+        {"mean", "joy", table, "-o", table},
+        {"apply", table + ":0.5", "smile", markers, "-o", markers},
+        {"apply", "smile", table + ":0.5", markers, "-o", table},
+        {"fit", markers, "-o", markers},
+        {"from-fap", "joy", "--fdt", table + ":0.5,fear:0.2", "-o", table},
+        {"from-fap", "joy", "--fdt", "fear:0.2," + table + ":0.5", "-o", other},
+        {"show", table, "-o", other},
+        {"classify", markers, "--against", "joy", table, "-o", table},
+        {"check", markers, "--against", table, "-o", table},
+        {"pack", packed, "-o", packed}}) {
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exitCode, 2) << words[0] << outcome.errors;
+    EXPECT_NE(outcome.errors.find("which it would replace"), std::string::npos) << words[0] << outcome.errors;
+  }
+  EXPECT_EQ(readTextFile(table), text);
+  EXPECT_EQ(readTextFile(packed), bytes);
+  EXPECT_EQ(readTextFile(markers), recording);
+  EXPECT_EQ(entriesIn(folder.file("")), 3);
 }
 
 TEST(FdtClassifyCommand, ATableThatDoesNotMoveHasNoExpression) {

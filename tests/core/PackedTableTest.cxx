@@ -111,3 +111,23 @@ TEST(PackedTable, DamagedBytesAreRefusedAndNothingIsLoaded) {
   EXPECT_NE(unpackTable(good.substr(0, 400), table), "");
   EXPECT_EQ(table.largestDisplacement, 0.0);
 }
+
+TEST(PackedTable, CoefficientsAndDisplacementsBeyondTheLimitAreRefused) {
+  for (const int bits : {8, 16}) {
+    DeformationTable table, read;
+    table.maps[6].coefficients(1, 4) = 99.0;
+    table.largestDisplacement = 99.0;
+    EXPECT_EQ(unpackTable(packTable(table, bits), read), "");
+    EXPECT_NEAR(read.maps[6].coefficients(1, 4), 99.0, bits == 8 ? 0.5 : 0.002);
+    for (const double beyond : {102.0, -102.0}) {
+      DeformationTable steep = table, before = read;
+      steep.maps[6].coefficients(1, 4) = beyond;
+      const std::string fault = unpackTable(packTable(steep, bits), read);
+      EXPECT_NE(fault.find("region 7 has a coefficient beyond -100 .. 100"), std::string::npos) << fault;
+      EXPECT_EQ(read.maps[6].coefficients, before.maps[6].coefficients);
+    }
+    table.largestDisplacement = 101.0;
+    const std::string fault = unpackTable(packTable(table, bits), read);
+    EXPECT_NE(fault.find("largest displacement is beyond 100"), std::string::npos) << fault;
+  }
+}

@@ -1,5 +1,6 @@
 #include "RegionMap.h"
 #include "TableDeformation.h"
+#include "TableText.h"
 
 using namespace mien;
 
@@ -105,4 +106,32 @@ TEST(TableDeformation, TheLipsPart) {
   const auto result = moves({{lip, {1.0, 0.0}}, {lip, {-1.0, 0.0}}}, table, true);
   EXPECT_NEAR(result[0].y(), 3.1, 0.15) << "the border with the nose is near";
   EXPECT_NEAR(result[1].y(), -6.2, 1e-9);
+}
+
+/// Where the determinant of p' by p is negative, the skin folds over itself.
+TEST(TableDeformation, NoMeanTableFoldsTheFace) {
+  constexpr double step = 0.05, half = 0.01;
+  for (const char* name : {"joy", "sadness", "anger", "fear", "disgust", "surprise", "obaid2009_smile"}) {
+    DeformationTable table;
+    ASSERT_EQ(parseTable(readDataFile("deformation/" + std::string(name) + ".csv"), table), "");
+    for (const double side : {-1.0, 0.0, 1.0}) {
+      std::vector<DeformationPoint> around;
+      for (double y = side == 0.0 ? -4.0 : -2.9; y < (side == 0.0 ? 3.0 : -1.6); y += step)
+        for (double x = side == 0.0 ? -2.6 : -1.0; x < (side == 0.0 ? 2.6 : 1.0); x += step)
+          for (const auto& [dx, dy] : {std::pair(half, 0.0), {-half, 0.0}, {0.0, half}, {0.0, -half}})
+            around.push_back({pupils().invert({x + dx, y + dy, 0.0}), {side, 0.0}});
+      const auto moved = moves(around, table, true);
+      double least = 1.0;
+      for (std::size_t i = 0; i < around.size(); i += 4) {
+        const auto slope = [&](std::size_t a, std::size_t b) {
+          const Eigen::Vector2d before = (around[a].position - around[b].position).head<2>();
+          return ((before + moved[a] - moved[b]) / before.norm()).eval();
+        };
+        const Eigen::Vector2d along = slope(i, i + 1), up = slope(i + 2, i + 3);
+        least = std::min(least, along.x() * up.y() - along.y() * up.x());
+      }
+      EXPECT_GT(least, 0.03) << name << ", side " << side;
+      EXPECT_LT(least, 0.99) << name << " does move";
+    }
+  }
 }

@@ -174,6 +174,50 @@ TEST(FDTDeformationFilter, TheIdentityMovesNothingAndKeepsNormals) {
     for (int k = 0; k < 3; ++k) ASSERT_NEAR(after->GetComponent(i, k), before->GetComponent(i, k), 1e-6);
 }
 
+TEST(FDTDeformationFilter, StrengthZeroIsTheInputBitForBit) {
+  Face face;
+  vtkNew<vtkFDTDeformationFilter> filter;
+  filter->SetInputConnection(face.grid->GetOutputPort());
+  filter->SetTableData(tableOf(*mien::namedTable("surprise")));
+  filter->SetStrength(0.0);
+  filter->Update();
+  EXPECT_EQ(coordinates(filter->GetOutput()), coordinates(face.grid->GetOutput()));
+  vtkDataArray *after = filter->GetOutput()->GetPointData()->GetNormals(),
+               *before = face.grid->GetOutput()->GetPointData()->GetArray("Normals");
+  ASSERT_TRUE(after && before);
+  for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(after->GetComponent(i, k), before->GetComponent(i, k)) << i;
+  filter->SetStrength(1.0);
+  filter->Update();
+  after = filter->GetOutput()->GetPointData()->GetNormals();
+  double turned = 0.0;
+  for (vtkIdType i = 0; i < before->GetNumberOfTuples(); ++i)
+    turned = std::max(turned, std::abs(after->GetComponent(i, 1) - before->GetComponent(i, 1)));
+  EXPECT_GT(turned, 0.1) << "else they do not turn at all";
+}
+
+TEST(FDTDeformationFilter, ExchangedPupilsAreRefused) {
+  Face face;
+  face.grid->Update();
+  vtkDataArray* pupils = face.grid->GetOutput()->GetFieldData()->GetArray("Pupils");
+  ASSERT_TRUE(pupils);
+  vtkNew<vtkFDTDeformationFilter> filter;
+  mien::PipelineErrors errors;
+  errors.observe(filter);
+  filter->SetInputConnection(face.grid->GetOutputPort());
+  filter->SetTableData(tableOf(*mien::namedTable("joy")));
+  filter->SetLeftPupil(pupils->GetTuple3(0));
+  filter->SetRightPupil(pupils->GetTuple3(1));
+  filter->Update();
+  EXPECT_EQ(errors.first(), "");
+  const Eigen::Vector3d left(pupils->GetTuple3(0)), right(pupils->GetTuple3(1));
+  filter->SetLeftPupil(right.x(), right.y(), right.z());
+  filter->SetRightPupil(left.x(), left.y(), left.z());
+  filter->Update();
+  EXPECT_NE(errors.first().find("the nose lies above the eyes; exchange the pupils"), std::string::npos)
+      << errors.first();
+}
+
 TEST(FDTDeformationFilter, TheMouthOfThePDEFaceOpensInSurprise) {
   Face face;
   vtkNew<vtkFDTDeformationFilter> filter;

@@ -19,6 +19,7 @@
 
 #include "CoefficientTable.h"
 #include "DeformationChoice.h"
+#include "ElidedLabel.h"
 #include "ExportButton.h"
 #include "FaceModel.h"
 #include "FigureView.h"
@@ -251,6 +252,41 @@ TEST_F(DeformationPanel, RegionsAreShownOneStandsOutAndSkinEndsThem) {
   EXPECT_EQ(face(), skin);
   QTest::keyClick(cells, Qt::Key_Return);
   EXPECT_TRUE(button->isChecked());
+}
+
+/// A number that is not 0 reads so, and one that reads 0 is no more than rounding.
+TEST_F(DeformationPanel, SmallCoefficientsKeepADigit) {
+  choose("Joy");
+  find<QComboBox>("deformationShown")->setCurrentIndex(1);
+  const mien::DeformationTable& joy = *mien::namedTable("joy");
+  int small = 0;
+  for (int i = 0; i < 192; ++i) {
+    const double value = joy.maps[i / 12].coefficients(i % 12 / 6, i % 6);
+    QString text = cells->item(i / 12, i % 12)->text();
+    text.replace(QChar(0x2212), '-').remove(QRegularExpression("[\u25b4\u25be]"));
+    bool number = false;
+    const double read = text.toDouble(&number);
+    EXPECT_TRUE(number) << text.toStdString();
+    EXPECT_LE(std::abs(read - value), std::abs(value) < 0.005 ? 0.5 * std::abs(value) : 0.005001) << i;
+    EXPECT_LE(text.size(), 5) << text.toStdString();
+    small += std::abs(value) < 0.005;
+  }
+  EXPECT_GT(small, 20) << "else none of them is tried";
+}
+
+TEST_F(DeformationPanel, AStatusWithoutRoomEndsInDots) {
+  show("joy");
+  ASSERT_TRUE(waitForName("joy"));
+  auto* status = find<mien::ElidedLabel>("deformationStatus");
+  EXPECT_TRUE(status->text().startsWith("RMS 0.0")) << status->text().toStdString();
+  EXPECT_TRUE(status->text().endsWith("A: the face at rest"));
+  status->resize(2000, status->height());
+  EXPECT_EQ(status->shownText(), status->text());
+  status->resize(150, status->height());
+  EXPECT_TRUE(status->shownText().endsWith(QChar(0x2026))) << status->shownText().toStdString();
+  EXPECT_TRUE(status->text().startsWith(status->shownText().chopped(1).trimmed()));
+  EXPECT_LE(status->fontMetrics().horizontalAdvance(status->shownText()), 150);
+  EXPECT_GT(status->shownText().size(), 8);
 }
 
 TEST_F(DeformationPanel, NumbersOutsideTheRangeCarryAnArrow) {

@@ -17,7 +17,7 @@ namespace {
 constexpr double narrowWidth = 120.0;  // mm; below it the two tables of coefficients stand below each other
 constexpr double least = 0.01;         // pupil units as drawn; shorter arrows are dots
 constexpr double keyHeight = 0.7;      // pupil units below the face, for the reference arrow
-const QColor skinLine(150, 150, 150), border(128, 128, 128), arrowColor(213, 94, 0);
+const QColor skinLine(150, 150, 150), featureLine(110, 110, 110), border(0, 114, 178), arrowColor(213, 94, 0);
 
 QPolygonF polygonOf(const PlanePolygon& points) {
   QPolygonF polygon;
@@ -32,7 +32,8 @@ std::string shortNumber(double number) {
 }
 
 void addFace(PlaneDrawing& drawing, const DeformationFigureOptions& options) {
-  for (const QPolygonF& line : options.faceLines) drawing.lines.push_back({line, {skinLine, 0.3}, false, false});
+  for (const QPolygonF& line : options.faceLines) drawing.lines.push_back({line, {skinLine, 0.2}, false, false});
+  for (const QPolygonF& line : options.featureLines) drawing.lines.push_back({line, {featureLine, 0.7}, false, false});
   for (const double x : {-1.0, 1.0}) drawing.marks.push_back({{x, 0.0}, 1.2, {skinLine, 0.5, false, skinLine}});
 }
 
@@ -47,7 +48,7 @@ PlaneDrawing regionDrawing(const FacialRegions& regions, const DeformationFigure
   addBorders(drawing, regions, 0.6);
   for (int region = 1; region <= FacialRegions::count; ++region) {
     const Eigen::Vector2d& centre = regions.centre(region);
-    drawing.labels.push_back({{centre.x(), centre.y()}, QString::number(region), 7.0, Qt::AlignCenter, {}, true});
+    drawing.labels.push_back({{centre.x(), centre.y()}, QString::number(region), 7.0, Qt::AlignCenter, {}, true, true});
   }
   return drawing;
 }

@@ -17,6 +17,7 @@ struct DeformationArrow {
 /// What the figure of a table shows besides the table.
 struct DeformationFigureOptions {
   std::vector<QPolygonF> faceLines;      ///< of a face, pupil units, drawn behind the regions
+  std::vector<QPolygonF> featureLines;   ///< brows, lids, nose and lips, by which it is recognised
   std::vector<DeformationArrow> arrows;  ///< of the same face, as the table moves it
   bool hard = false;                     ///< whether the arrows are those of hard regions
   double magnification = 1.0;            ///< of the arrows

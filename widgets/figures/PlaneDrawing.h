@@ -35,6 +35,7 @@ struct PlaneDrawing {
     int alignment = 0x84;  ///< Qt::Alignment of the text to its point: Qt::AlignCenter; AlignLeft stands right of it
     QColor color = {};
     bool bold = false;
+    bool halo = false;  ///< of the theme's background, so that lines end before the text
   };
 
   std::vector<Line> lines;

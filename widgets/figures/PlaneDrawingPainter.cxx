@@ -15,6 +15,7 @@ constexpr double marginShare = 0.04;  // of the shown part, on every side: strok
 constexpr double arrowLength = 4.0, arrowHalfWidth = 1.4;  // pt
 constexpr double headShare = 0.5;                          // of a short arrow
 constexpr double labelGap = 1.5;                           // pt, between a point and its label
+constexpr double haloWidth = 1.6;                          // pt, around a label
 
 QPen penOf(const PlaneStroke& stroke, const FigureTheme& theme) {
   QPen pen(stroke.color.isValid() ? stroke.color : theme.text, figureUnitsFromPoints(stroke.width));
@@ -35,6 +36,16 @@ QPolygonF arrowHead(const QPointF& tail, const QPointF& tip) {
   const QPointF along = (tip - tail) / length, across(-along.y(), along.x()), base = tip - head * along;
   const QPointF side = arrowHalfWidth / arrowLength * head * across;
   return QPolygonF({tip, base + side, base - side});
+}
+
+/// The text's outline under the text, which stays text in the file. A page without a colour of its own is white.
+void paintHalo(QPainter& painter, const FigureTheme& theme, const QFont& font, const QPointF& place,
+               const QString& text) {
+  QPainterPath outline;
+  outline.addText(place, font, text);
+  const QColor background = theme.background.isValid() ? theme.background : QColor(Qt::white);
+  painter.strokePath(
+      outline, QPen(background, figureUnitsFromPoints(2.0 * haloWidth), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
 }  // namespace
@@ -85,6 +96,7 @@ void PlaneDrawingPainter::paintLabel(QPainter& painter, const FigureTheme& theme
   if (alignment & Qt::AlignHCenter) place.rx() -= 0.5 * width;
   if (alignment & Qt::AlignTop) place.ry() += 0.5 * font.pixelSize() + gap;
   if (alignment & Qt::AlignBottom) place.ry() -= 0.5 * font.pixelSize() + gap;
+  if (label.halo) paintHalo(painter, theme, font, place, label.text);
   painter.setFont(font);
   painter.setPen(label.color.isValid() ? label.color : theme.text);
   painter.drawText(place, label.text);

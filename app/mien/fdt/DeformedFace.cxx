@@ -42,7 +42,7 @@ vtkSmartPointer<vtkPointSet> deform(vtkPointSet* data, const DeformationTable& t
     filter->SetRightPupil(pupils->right.data());
   }
   filter->Update();
-  if (!errors.first().empty()) throw FileFailure(file + ": " + errors.first());
+  if (!errors.first().empty()) throw FileFailure(file + ": " + surfaceFault(errors.first()));
   for (const std::string& warning : errors.warnings()) std::cerr << "mien: " << file << ": " << warning << "\n";
   return vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
 }
@@ -120,15 +120,17 @@ void deformMarkers(PointTable& markers, const DeformationTable& table, const Def
 
 vtkSmartPointer<vtkPointSet> deformSurface(vtkPointSet* surface, const DeformationTable& table,
                                            const DeformationOptions& options, const std::string& file) {
+  options.reading.requirePupilsInSpace();
   const MarkerOptions names = options.reading.markers();
   if (surface->GetCellData()->HasArray("CurveId")) return deformCurves(surface, table, options, file);
   const auto moved = deform(surface, table, options, names.neutralPupils ? &*names.neutralPupils : nullptr, file);
   const bool told = !options.landmarks.empty() || surface->GetPointData()->HasArray("LipSide") ||
                     surface->GetPointData()->HasArray("marker") || vtkStructuredGrid::SafeDownCast(surface);
+  const bool face = surface->GetCellData()->HasArray("PatchId");  // of a PDE face without its rows
   if (!told)
     std::cerr << "mien: " << file
-              << ": nothing tells its upper lips and lids from the lower ones, so the mouth will not open; give the 68 "
-                 "landmarks with --landmarks\n";
+              << ": nothing tells its upper lips and lids from the lower ones, so the mouth will not open; "
+              << (face ? "a face written as .vts tells them, or " : "") << "give the 68 landmarks with --landmarks\n";
   return moved;
 }
 

@@ -2,6 +2,7 @@
 
 #include "BoundaryCurveData.h"
 #include "Failure.h"
+#include "LandmarkLines.h"
 #include "PupilNormalisation.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
@@ -13,9 +14,28 @@ namespace {
 
 constexpr double furthestBack = -1.6;  // z of what is still seen from the front, pupil units
 
+/// The parts of a line, a row for each point in mm, that are seen within the face's outline.
+void addSeen(const ClosedCurves::Points& line, const PupilNormalisation& pupils, const FacialRegions& regions,
+             std::vector<QPolygonF>& parts) {
+  bool open = false;
+  for (Eigen::Index i = 0; i < line.rows(); ++i) {
+    const Eigen::Vector3d point = pupils.apply(line.row(i).transpose());
+    const bool seen = point.z() > furthestBack && regions.outlineWeight(point.head<2>()) > 0.5;
+    if (seen && !open) parts.emplace_back();
+    if (seen) parts.back() << QPointF(point.x(), point.y());
+    open = seen;
+  }
+}
+
+ClosedCurves::Points closed(const ClosedCurves::Points& curve) {
+  ClosedCurves::Points line(curve.rows() + 1, 3);
+  line << curve, curve.row(0);
+  return line;
+}
+
 }  // namespace
 
-std::vector<QPolygonF> genericFaceLines(const FacialRegions& regions) {
+FaceLines genericFaceLines(const FacialRegions& regions) {
   vtkNew<vtkBoundaryCurveReader> reader;
   reader->Update();
   FaceCurves face;
@@ -23,18 +43,10 @@ std::vector<QPolygonF> genericFaceLines(const FacialRegions& regions) {
   std::string fault = readFaceCurves(reader->GetOutput(), face);
   if (fault.empty()) fault = pupils.set(face.leftPupil, face.rightPupil);
   if (!fault.empty()) throw FileFailure("generic face: " + fault);
-  std::vector<QPolygonF> lines;
-  const int count = face.curves.pointsPerCurve;
-  for (int curve = 0; curve < face.curves.count; ++curve) {
-    bool open = false;
-    for (int i = 0; i <= count; ++i) {
-      const Eigen::Vector3d point = pupils.apply(face.curves.curve(curve).row(i % count).transpose());
-      const bool seen = point.z() > furthestBack && regions.outlineWeight(point.head<2>()) > 0.5;
-      if (seen && !open) lines.emplace_back();
-      if (seen) lines.back() << QPointF(point.x(), point.y());
-      open = seen;
-    }
-  }
+  FaceLines lines;
+  for (int curve = 0; curve < face.curves.count; ++curve)
+    addSeen(closed(face.curves.curve(curve)), pupils, regions, lines.curves);
+  for (const ClosedCurves::Points& line : landmarkLines(face)) addSeen(line, pupils, regions, lines.features);
   return lines;
 }
 

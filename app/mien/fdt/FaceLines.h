@@ -7,7 +7,12 @@
 
 namespace mien {
 
-/// The boundary curves of the generic face as seen from the front, in pupil units: the parts within the face's outline.
-std::vector<QPolygonF> genericFaceLines(const FacialRegions& regions);
+/// Lines of the generic face as seen from the front, in pupil units: the parts within the face's outline.
+struct FaceLines {
+  std::vector<QPolygonF> curves;    ///< its boundary curves
+  std::vector<QPolygonF> features;  ///< brows, lids, nose and lips
+};
+
+FaceLines genericFaceLines(const FacialRegions& regions);
 
 }  // namespace mien

@@ -103,7 +103,9 @@ DeformationFigureOptions drawingOf(const Options& options) {
 Plate plateOf(const Options& options, const DeformationTable& table, const FacialRegions& regions, double width) {
   DeformationFigureOptions drawing = drawingOf(options);
   const FaceArrows face = genericFaceArrows(table, options.deformation, arrowSpacing(width));
-  drawing.faceLines = genericFaceLines(regions);
+  const FaceLines lines = genericFaceLines(regions);
+  drawing.faceLines = lines.curves;
+  drawing.featureLines = lines.features;
   drawing.arrows = face.arrows;
   drawing.pupilUnit = face.pupilUnit;
   Plate plate = deformationPlate(table, regions, drawing, width);

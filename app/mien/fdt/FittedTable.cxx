@@ -89,6 +89,7 @@ FittedTable fitMarkers(const MarkerTable& markers, const FacialRegions& regions,
 
 FittedTable fitSurfaces(vtkPointSet* neutral, vtkPointSet* expression, const MarkerFileOptions& options,
                         const std::string& landmarkFile, bool strict, const std::string& names) {
+  options.requirePupilsInSpace();
   vtkNew<vtkFDTFitFilter> filter;
   PipelineErrors errors;
   errors.observe(filter);
@@ -109,7 +110,7 @@ FittedTable fitSurfaces(vtkPointSet* neutral, vtkPointSet* expression, const Mar
     filter->SetOtherRightPupil(markers.expressionPupils->right.data());
   }
   filter->Update();
-  if (!errors.first().empty()) throw FileFailure(names + ": " + errors.first());
+  if (!errors.first().empty()) throw FileFailure(names + ": " + surfaceFault(errors.first()));
   FittedTable fitted;
   const std::string fault = readFDT(filter->GetOutput(), fitted.table);
   if (!fault.empty()) throw FileFailure(names + ": " + fault);

@@ -109,6 +109,14 @@ MarkerOptions MarkerFileOptions::markers() const {
   return options;
 }
 
+void MarkerFileOptions::requirePupilsInSpace() const {
+  for (const std::string* text : {&pupils_, &expressionPupils_})
+    if (splitText(*text, ',').size() == 4)
+      throw ValueFailure("pupils '" + *text +
+                         "' have no z, which those of a surface need; give x,y,z,x,y,z, the subject's left pupil "
+                         "first");
+}
+
 FacialRegions MarkerFileOptions::regions() const {
   FacialRegions regions;
   const std::string fault = readRegions(regionFile_, regions);
@@ -121,6 +129,15 @@ void MarkerFileOptions::tellStillHead(const std::string& file) const {
     std::cerr << "mien: " << file
               << ": the pupils are taken to be at the same places in the expression, the head as still; else give "
                  "--expression-pupils\n";
+}
+
+std::string surfaceFault(const std::string& fault) {
+  const std::size_t at = fault.find("there are no pupils");
+  return at == std::string::npos
+             ? fault
+             : fault.substr(0, at) +
+                   "nothing tells where its pupils are; give the 68 landmarks (--landmarks FILE.csv) "
+                   "or both pupils (--pupils x,y,z,x,y,z, the subject's left first)";
 }
 
 std::string readMarkerText(const std::string& file) {

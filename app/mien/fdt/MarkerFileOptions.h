@@ -30,6 +30,9 @@ class MarkerFileOptions {
   /// Names or places of the pupils, direction of the axes. Throws a ValueFailure for text that is none.
   MarkerOptions markers() const;
 
+  /// Throws a ValueFailure for pupils that were given without z, which those of a surface need.
+  void requirePupilsInSpace() const;
+
   /// The user's region map or the one compiled in; a FileFailure for one that is wrong.
   FacialRegions regions() const;
 
@@ -44,6 +47,9 @@ class MarkerFileOptions {
   bool yDown_ = false, mirrored_ = false;
   std::string pupils_, expressionPupils_, regionFile_;
 };
+
+/// What filters say of a surface, in this command line's words.
+std::string surfaceFault(const std::string& fault);
 
 /// The text of a file of markers or a table; a FileFailure when it cannot be read.
 std::string readMarkerText(const std::string& file);

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "MeshCleaning.h"
-#include "PointTree.h"
+#include "SkinMatches.h"
+#include "SmoothAlignment.h"
 
 namespace mien {
 
@@ -18,6 +18,7 @@ using Points = TriangleMesh::Vertices;
 
 /// From a plate that keeps its shape to one that follows lids and lips.
 constexpr std::array<double, 9> stiffness = {300.0, 100.0, 30.0, 10.0, 5.0, 2.0, 1.0, 0.5, 0.5};
+constexpr double alignmentShare = 0.3;                // of the time
 constexpr double firstReach = 15.0, lastReach = 4.0;  // mm at which skin is looked for
 
 /// The Laplacian over the grid; every row sums to zero, weights fall with the distance of the neighbours.
@@ -51,19 +52,16 @@ struct Pull {
   int found = 0;
 };
 
-Pull pullOf(const Points& points, const Points& normals, const Points& skin, const Points& skinNormals,
-            const PointTree& tree, double reach) {
-  Pull pull{points, Eigen::VectorXd::Zero(points.rows())};
-  for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    const int q = tree.nearest(points.row(i), reach);
-    if (q < 0) continue;
-    const double facing = skinNormals.row(q).dot(normals.row(i));
-    if (facing < 0.4) continue;
+Pull pullOf(const TriangleMesh& moved, const SkinMatches& skin, double reach) {
+  Pull pull{moved.vertices, Eigen::VectorXd::Zero(moved.vertices.rows())};
+  const std::vector<SkinMatch> matches = skin.of(moved, reach);
+  for (Eigen::Index i = 0; i < moved.vertices.rows(); ++i) {
+    const SkinMatch& match = matches[i];
+    if (match.skin < 0) continue;
     // along the skin the point is free: only its distance from the tangent plane counts
-    const double gap = skinNormals.row(q).dot(skin.row(q) - points.row(i));
-    pull.target.row(i) += gap * skinNormals.row(q);
-    pull.weight[i] = facing * facing / (1.0 + gap * gap / (0.1 * reach * reach));
-    pull.squares += gap * gap;
+    pull.target.row(i) += match.gap * skin.normals().row(match.skin);
+    pull.weight[i] = match.weight;
+    pull.squares += match.gap * match.gap;
     ++pull.found;
   }
   return pull;
@@ -73,19 +71,20 @@ Pull pullOf(const Points& points, const Points& normals, const Points& skin, con
 
 std::string registerFace(const FaceTemplate& face, const Similarity& faceToScan, const TriangleMesh& mesh,
                          FaceRegistration& registration, const Progress& progress) {
-  const Points skinNormals = outwardNormals(mesh);
-  const PointTree tree(mesh.vertices);
+  const SkinMatches skin(mesh);
   const Sparse laplacian = gridLaplacian(face);
   const Sparse plate = laplacian.transpose() * laplacian;
   TriangleMesh moved{faceToScan.applied(face.mesh.vertices), face.mesh.triangles};
+  if (!alignSmoothly(face, skin, moved, firstReach, partOf(progress, 0.0, alignmentShare))) return "stopped";
   const Points start = moved.vertices;
   Eigen::SimplicialLDLT<Sparse> solver;
   constexpr int stepsPerStiffness = 3;
   const int steps = stepsPerStiffness * static_cast<int>(stiffness.size());
+  const Progress bending = partOf(progress, alignmentShare, 1.0);
   for (int step = 0; step < steps; ++step) {
-    if (!goesOn(progress, static_cast<double>(step) / steps)) return "stopped";
+    if (!goesOn(bending, static_cast<double>(step) / steps)) return "stopped";
     const double reach = firstReach + (lastReach - firstReach) * step / (steps - 1);
-    const Pull pull = pullOf(moved.vertices, outwardNormals(moved), mesh.vertices, skinNormals, tree, reach);
+    const Pull pull = pullOf(moved, skin, reach);
     Sparse system = stiffness[step / stepsPerStiffness] * plate;
     for (Eigen::Index i = 0; i < pull.weight.size(); ++i) system.coeffRef(i, i) += pull.weight[i] + 1e-4;
     if (step == 0) solver.analyzePattern(system);
@@ -94,7 +93,7 @@ std::string registerFace(const FaceTemplate& face, const Similarity& faceToScan,
         solver.solve(pull.weight.asDiagonal() * (pull.target - start) + 1e-4 * (moved.vertices - start));
     moved.vertices = start + displacement;
   }
-  const Pull rest = pullOf(moved.vertices, outwardNormals(moved), mesh.vertices, skinNormals, tree, lastReach);
+  const Pull rest = pullOf(moved, skin, lastReach);
   registration = {moved.vertices, std::sqrt(rest.squares / std::max(1, rest.found)),
                   static_cast<double>(rest.found) / static_cast<double>(face.mesh.vertices.rows())};
   return {};

@@ -9,7 +9,12 @@ std::string DeformationTable::describeExcess() const {
   for (int i = 0; i < regionCount; ++i)
     if (!(maps[i].coefficients.cwiseAbs().maxCoeff() <= largestCoefficient))
       return "region " + std::to_string(i + 1) + " has a coefficient beyond -100 .. 100, which no face reaches";
-  return {};
+  for (int i = 0; deviations && i < regionCount; ++i)
+    if (!(deviations->at(i).cwiseAbs().maxCoeff() <= largestCoefficient))
+      return "region " + std::to_string(i + 1) + " has a standard deviation beyond 100, which faces do not reach";
+  return largestDisplacement <= largestCoefficient
+             ? ""
+             : "its largest displacement is beyond 100 pupil units, which no face reaches";
 }
 
 std::vector<int> DeformationTable::unknownRegions() const {

@@ -33,7 +33,7 @@ struct DeformationTable {
 
   std::vector<int> unknownRegions() const;
 
-  /// Nothing, or one sentence that names the first region with a coefficient beyond the limit.
+  /// What no file may hold, a coefficient, deviation or displacement beyond the limit, in one sentence; or nothing.
   std::string describeExcess() const;
 
   /// Takes note of which regions are known to any of the tables that this one is made of.

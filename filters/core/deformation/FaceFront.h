@@ -7,9 +7,8 @@
 namespace mien {
 
 /// What is wrong with how a mesh lies about its pupils, or nothing: the skin at the eyes more than 1.5 pupil units in
-/// front of or behind the pupils (the back of the head looks along +z, or the pupils' depth is wrong), or the midline
-/// reaching further forward above the eyes than below them, where the nose is (the face hangs upside down, as one does
-/// whose pupils are exchanged). Meshes without points there are not judged.
+/// front of or behind the pupils, as when the back of the head looks along +z or the pupils' depth is wrong. Meshes
+/// without points there are not judged.
 /// @param places  of the mesh's points, pupil units
 std::string describeFront(const std::vector<Eigen::Vector3d>& places);
 
