@@ -72,12 +72,20 @@ std::string arrayNames(vtkPolyData* surface) {
 
 }  // namespace
 
-FaceScene::FaceScene(FacePipeline& pipeline, const SceneStyle& style)
+vtkSmartPointer<vtkImageData> faceTexture(FacePipeline& pipeline) {
+  if (pipeline.state().texture.empty()) return nullptr;
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  const std::string fault = makeFaceTexture(pipeline.state(), pipeline.neutralCurves()->GetOutput(), image);
+  if (!fault.empty()) throw FileFailure(fault);
+  return image;
+}
+
+FaceScene::FaceScene(FacePipeline& pipeline, const SceneStyle& style, const vtkSmartPointer<vtkImageData>& texture)
     : pipeline_(pipeline), style_(style), factor_(samplingFactor(style)) {
   outwards_->SetInputConnection(pipeline.surface()->GetOutputPort());
   outwards_->Update();
   addSurface();
-  if (!pipeline.state().texture.empty()) addTexture();
+  if (texture) addTexture(texture);
   if (!style.colorBy.empty()) addColors();
   if (style.curves) addCurves();
   addLights();
@@ -124,13 +132,10 @@ void FaceScene::addSurface() {
 }
 
 /// Colours come from the photograph alone. The inside of the mouth, which it does not show, stays as it is.
-void FaceScene::addTexture() {
+void FaceScene::addTexture(vtkImageData* image) {
   if (!style_.colorBy.empty()) throw ValueFailure("--texture and --color-by both colour the surface; give one");
   if (style_.mesh == SceneStyle::Mesh::Wireframe)
     throw ValueFailure("--texture needs a surface; leave out --style wireframe");
-  vtkNew<vtkImageData> image;
-  const std::string fault = makeFaceTexture(pipeline_.state(), pipeline_.neutralCurves()->GetOutput(), image);
-  if (!fault.empty()) throw FileFailure(fault);
   vtkNew<vtkTexture> texture;
   texture->SetInputData(image);
   texture->InterpolateOn();

@@ -18,12 +18,18 @@ namespace mien {
 class FacePipeline;
 struct FaceFrame;
 
+/// The texture of the pipeline's face, or nullptr when its state has none. Throws a FileFailure when it cannot be made.
+vtkSmartPointer<vtkImageData> faceTexture(FacePipeline& pipeline);
+
 /// A face under three lights, drawn without a window. There must be a display; see VirtualDisplay.
 class FaceScene {
  public:
   /// The pipeline must be up to date and outlive the scene. Throws a ValueFailure when the array to colour by is
   /// not there, a FileFailure when the texture cannot be made.
-  FaceScene(FacePipeline& pipeline, const SceneStyle& style);
+  FaceScene(FacePipeline& pipeline, const SceneStyle& style) : FaceScene(pipeline, style, faceTexture(pipeline)) {}
+
+  /// @param texture  of faceTexture(), which many scenes of one face can share
+  FaceScene(FacePipeline& pipeline, const SceneStyle& style, const vtkSmartPointer<vtkImageData>& texture);
   ~FaceScene();
 
   /// Frames these points, in place of the surface as it was when the scene was made.
@@ -38,7 +44,7 @@ class FaceScene {
  private:
   FaceFrame frame() const;
   void addSurface();
-  void addTexture();
+  void addTexture(vtkImageData* image);
   void addCurves();
   void updateCurves();
   void addLights();

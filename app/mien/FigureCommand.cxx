@@ -1,7 +1,10 @@
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "Arguments.h"
 #include "Command.h"
@@ -17,6 +20,7 @@
 #include "FigureGallery.h"
 #include "FigureMetadata.h"
 #include "FigureOptions.h"
+#include "FrameChoice.h"
 #include "Interruption.h"
 #include "OutputFile.h"
 #include "ProgressLine.h"
@@ -47,13 +51,38 @@ FigureSettings settingsOf(const Options& options) {
   return settings;
 }
 
-/// The command that draws one figure, with the face and figure options of this run.
-std::string commandFor(const Options& options, const std::string& id) {
-  return commandText(*options.command, {id}, {"--output", "--all", "--from", "--format", "--list"});
+/// The command that draws one figure, with the face and figure options of this run that it heeds.
+std::string commandFor(const Options& options, const CatalogueFigure& figure) {
+  std::set<std::string> without = {"--output", "--all", "--from", "--format", "--list"};
+  if (!figure.frames) without.insert("--frames");
+  if (figure.textures == 0) without.insert("--texture");
+  return commandText(*options.command, {figure.id}, without);
 }
 
-void write(const Options& options, FigureContext& context, const CatalogueFigure& figure, const std::string& name,
-           const std::string& command) {
+/// The figures that heed an option, as words.
+std::string figuresWith(bool (*heeds)(const CatalogueFigure&)) {
+  std::string ids;
+  for (const CatalogueFigure& figure : figureCatalogue())
+    if (heeds(figure)) ids += (ids.empty() ? "" : ", ") + figure.id;
+  return ids;
+}
+
+/// Says which options this figure has no use for.
+void remarkUnused(const Options& options, const CatalogueFigure& figure) {
+  const int textures = static_cast<int>(options.textures.size());
+  if (!options.frames.empty() && !figure.frames)
+    std::cerr << "mien: " << figure.id << " shows no frames of an animation, so that --frames is ignored; "
+              << figuresWith([](const CatalogueFigure& f) { return f.frames; }) << " do\n";
+  if (textures > 0 && figure.textures == 0)
+    std::cerr << "mien: " << figure.id << " shows no texture, so that --texture is ignored; "
+              << figuresWith([](const CatalogueFigure& f) { return f.textures > 0; }) << " do\n";
+  else if (textures > figure.textures)
+    std::cerr << "mien: " << figure.id << " shows " << figure.textures << " of the " << textures << " textures; "
+              << figuresWith([](const CatalogueFigure& f) { return f.textures > 1; }) << " shows several\n";
+}
+
+void write(const Options& options, FigureContext& context, const CatalogueFigure& figure, const std::string& name) {
+  const std::string command = commandFor(options, figure);
   const FigureDrawing drawing = figure.draw(context);
   options.figure.write(name, drawing.size, drawing.paint, figure.id + ": " + figure.title,
                        command + "\n" + faceNote(context.state(), {context.state().surface.scheme}) + "\n" +
@@ -64,36 +93,65 @@ void drawOne(const Options& options) {
   requireEnding(options.output, {"svg", "pdf", "png"});
   const OutputFile writable(options.output);
   const CatalogueFigure& figure = catalogueFigure(options.id);
+  remarkUnused(options, figure);
   const FigureApplication application;
   FigureContext context(options.face.state(), settingsOf(options));
-  write(options, context, figure, options.output, commandFor(options, options.id));
+  write(options, context, figure, options.output);
+}
+
+void makeFolder(const std::string& folder) {
+  if (folder.empty()) throw ValueFailure("--all needs a folder; give one with -o");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder, error)) throw FileFailure(folder + ": the folder cannot be made");
+  const OutputFile writable((fs::path(folder) / "index.html").string());
+}
+
+/// Draws a figure into the folder and adds it to the page.
+///
+/// @return whether its files allowed that; the reason is said
+bool drawInto(const Options& options, FigureContext& context, const CatalogueFigure& figure, FigureGallery& gallery) {
+  const std::string file = figure.id + "." + options.format;
+  try {
+    write(options, context, figure, (fs::path(options.output) / file).string());
+  } catch (const FileFailure& failure) {
+    std::cerr << "mien: " << figure.id << ": " << failure.what() << "\n";
+    return false;
+  }
+  gallery.add({&figure, file, commandFor(options, figure) + " -o " + file,
+               faceNote(context.state(), {context.state().surface.scheme})});
+  return true;
+}
+
+/// @return how many could not be drawn
+int drawEach(const Options& options, FigureContext& context, FigureGallery& gallery) {
+  const int count = static_cast<int>(figureCatalogue().size());
+  const bool onTerminal = isatty(STDERR_FILENO) != 0;
+  ProgressLine progress(count, "figure");
+  int done = 0, failed = 0;
+  for (const CatalogueFigure& figure : figureCatalogue()) {
+    if (wasInterrupted()) throw Stopped("stopped after " + std::to_string(done) + " figures");
+    progress.show(done++);
+    if (!drawInto(options, context, figure, gallery))
+      ++failed;
+    else if (!onTerminal)  // a log has a line for each
+      std::cerr << figure.id << " (" << done << " of " << count << ")\n";
+  }
+  return failed;
 }
 
 void drawAll(const Options& options) {
-  if (options.output.empty()) throw ValueFailure("--all needs a folder; give one with -o");
-  std::error_code error;
-  fs::create_directories(options.output, error);
-  if (!fs::is_directory(options.output, error)) throw FileFailure(options.output + ": the folder cannot be made");
+  makeFolder(options.output);
   const FigureApplication application;
   FigureContext context(options.face.state(), settingsOf(options));
+  if (!options.frames.empty()) animationStates(context, 1, 0.0, 1.0);  // refused before anything is drawn
   FigureGallery gallery;
   noteInterruptions();
-  {
-    ProgressLine progress(static_cast<int>(figureCatalogue().size()), "figure");
-    int done = 0;
-    for (const CatalogueFigure& figure : figureCatalogue()) {
-      if (wasInterrupted()) throw Stopped("stopped after " + std::to_string(done) + " figures");
-      progress.show(done++);
-      const std::string file = figure.id + "." + options.format;
-      const std::string command = commandFor(options, figure.id);
-      write(options, context, figure, (fs::path(options.output) / file).string(), command);
-      gallery.add(
-          {&figure, file, command + " -o " + file, faceNote(context.state(), {context.state().surface.scheme})});
-    }
-  }
+  const int failed = drawEach(options, context, gallery), count = static_cast<int>(figureCatalogue().size());
   const std::string page = (fs::path(options.output) / "index.html").string();
   OutputFile::write(page, gallery.html());
-  std::cout << figureCatalogue().size() << " figures in " << page << "\n";
+  std::cout << count - failed << " figures in " << page << "\n";
+  if (failed > 0) throw FileFailure(std::to_string(failed) + " of " + std::to_string(count) + " figures are missing");
 }
 
 void listFigures() {

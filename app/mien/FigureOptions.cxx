@@ -6,6 +6,7 @@
 #include "Arguments.h"
 #include "Failure.h"
 #include "FigureFile.h"
+#include "FigureFont.h"
 #include "FigureTheme.h"
 #include "OutputFile.h"
 
@@ -34,11 +35,12 @@ void FigureOptions::addTo(CLI::App& command, const std::string& group) {
       ->capture_default_str()
       ->group(group);
   command.add_option("--theme", theme_, "Of the figure: " + themeNames())->capture_default_str()->group(group);
+  command.add_option("--font", font_, "Family of the figure's type [DejaVu Sans]")->group(group);
   command.add_option("--dpi", dotsPerInch_, "Dots per inch of .png figures")->capture_default_str()->group(group);
 }
 
 double FigureOptions::width() const {
-  return parseNumber("--width", width_);
+  return parseMillimetres("--width", width_);
 }
 
 double FigureOptions::dotsPerInch() const {
@@ -50,6 +52,8 @@ void FigureOptions::check() const {
     throw ValueFailure("--theme '" + theme_ + "' is unknown; the known ones are " + themeNames());
   requireRange("--width", width(), leastWidth, mostWidth);
   requireRange("--dpi", dotsPerInch(), FigureFile::leastDotsPerInch, FigureFile::mostDotsPerInch);
+  if (!font_.empty()) requireFont("--font", font_);
+  setFigureFontFamily(QString::fromStdString(font_));
 }
 
 bool FigureOptions::isFigure(const std::string& name) {

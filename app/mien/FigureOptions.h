@@ -12,7 +12,8 @@ class QPainter;
 
 namespace mien {
 
-/// The options of drawn figures, the same for all commands that make one: --width, --theme, --dpi.
+/// The options of drawn figures, the same for all commands that make one: --width, --theme, --font,
+/// --dpi.
 class FigureOptions {
  public:
   /// @param width  of the figure when none is given, mm
@@ -20,7 +21,7 @@ class FigureOptions {
 
   void addTo(CLI::App& command, const std::string& group);
 
-  /// Before anything is computed: throws a ValueFailure for a wrong value.
+  /// Before anything is computed: throws a ValueFailure for a wrong value. Figures have the font from then on.
   void check() const;
 
   double width() const;  ///< mm
@@ -35,7 +36,7 @@ class FigureOptions {
              const std::string& title, const std::string& description) const;
 
  private:
-  std::string width_, theme_ = "light", dotsPerInch_ = "300";
+  std::string width_, theme_ = "light", font_, dotsPerInch_ = "300";
 };
 
 /// Throws a ValueFailure when an option's value is outside the whole numbers least .. most.

@@ -106,7 +106,8 @@ Report spectrumReport(const MeasuredFace& face, const std::optional<double>& tol
   for (const std::string& scheme : face.schemes()) spectra.push_back(measureScheme(face, scheme, tolerance, report));
   if (spectra.size() == 1) report.json = json(report.json["schemes"][0]);
   const FaceState& state = face.state();
-  const std::string note = face.note() + "; " + std::to_string(state.rows) + " x " + std::to_string(state.columns);
+  const std::string note =
+      face.note() + "; " + std::to_string(state.rows) + " x " + std::to_string(state.columns) + " points";
   report.figure = [spectra, tolerance, note, remarks = report.remarks] {
     Figure figure = spectrumFigure(spectra, tolerance);
     for (const std::string& remark : remarks) figure.caption += " " + remark + ".";

@@ -5,10 +5,10 @@
 #include "OutputFile.h"
 #include "PipelineErrors.h"
 #include "vtkCellArray.h"
-#include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkOBJWriter.h"
+#include "vtkOrderedGeometryFilter.h"
 #include "vtkPLYWriter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -22,7 +22,7 @@
 namespace mien {
 
 vtkSmartPointer<vtkPolyData> outwardPolygons(vtkStructuredGrid* grid, bool triangles) {
-  vtkNew<vtkGeometryFilter> polygons;
+  vtkNew<vtkOrderedGeometryFilter> polygons;
   polygons->SetInputData(grid);
   vtkNew<vtkReverseSense> outwards;  // the normals point outwards already
   outwards->SetInputConnection(polygons->GetOutputPort());

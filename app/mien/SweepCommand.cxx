@@ -102,7 +102,8 @@ Report reportOf(const MeasuredFace& face, const SweepChoice& choice, vtkPDEParam
   }
   const std::map<std::string, double> breakdowns = describeBreakdowns(face, sweep, report);
   const std::string note = face.note(false) + "; " + std::to_string(state.rows) + " x " +
-                           std::to_string(state.columns) + (choice.scan.empty() ? "" : "; distance to " + choice.scan);
+                           std::to_string(state.columns) + " points" +
+                           (choice.scan.empty() ? "" : "; distance to " + choice.scan);
   report.figure = [records, breakdowns, note, reference = sweep->GetReferenceSmoothing()] {
     Figure figure = sweepFigure(records, breakdowns, reference);
     figure.note = note;

@@ -1,13 +1,11 @@
 #include "VectorDrawing.h"
 
 #include <CLI/CLI.hpp>
-#include <QFontDatabase>
 #include <cctype>
 #include <map>
 
 #include "Arguments.h"
 #include "Failure.h"
-#include "FigureApplication.h"
 #include "VectorColors.h"
 #include "ViewDirection.h"
 
@@ -30,14 +28,6 @@ std::string mapNames() {
   std::string names;
   for (const ColorTable& table : ColorTable::all()) names += (names.empty() ? "" : ", ") + table.name;
   return names;
-}
-
-void requireFont(const std::string& family) {
-  const FigureApplication application;
-  const QStringList families = QFontDatabase().families();
-  if (families.contains(QString::fromStdString(family), Qt::CaseInsensitive)) return;
-  throw ValueFailure("--font '" + family + "' is not installed; installed are " +
-                     families.mid(0, 12).join(", ").toStdString() + (families.size() > 12 ? " .." : ""));
 }
 
 }  // namespace
@@ -71,7 +61,6 @@ void VectorDrawing::addTo(CLI::App& command) {
           "palest colours, which nobody sees on white: viridis at a green")
       ->capture_default_str();
   command.add_flag("--no-seams", noSeams_, "Leave out the lines between patches")->group(group);
-  add("--font", font_, "Family of the type [DejaVu Sans]");
   add("--columns", columns_, "Panels beside each other [as many as fit]");
   command.add_flag("--bare", bare_, "No title, caption and note")->group(group);
   file_.addTo(command, group);
@@ -91,8 +80,6 @@ MotionVectorOptions VectorDrawing::options() const {
   options.seams = !noSeams_;
   options.theme = file_.theme();
   options.width = file_.width();
-  options.font = font_;
-  if (!font_.empty()) requireFont(font_);
   if (!columns_.empty()) options.columns = parseWholeNumber("--columns", columns_);
   if (!columns_.empty()) requireRange("--columns", options.columns, 1, 100);
   return options;

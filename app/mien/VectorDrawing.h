@@ -42,7 +42,7 @@ class VectorDrawing {
 
   FigureOptions file_{"85"};
   std::string view_ = "front", region_, sample_ = "auto", scale_ = "auto", range_, length_ = "seen";
-  std::string color_ = "space", colorMap_ = "auto", font_, columns_;
+  std::string color_ = "space", colorMap_ = "auto", columns_;
   bool wholeFace_ = false, hidden_ = false, noSeams_ = false, bare_ = false;
 };
 

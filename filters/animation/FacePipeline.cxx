@@ -15,8 +15,8 @@
 #include "vtkFDTCurveFilter.h"
 #include "vtkFDTDeformationFilter.h"
 #include "vtkFDTReader.h"
-#include "vtkGeometryFilter.h"
 #include "vtkNew.h"
+#include "vtkOrderedGeometryFilter.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPassThrough.h"
 #include "vtkPolyData.h"
@@ -74,7 +74,7 @@ struct FacePipeline::Internals {
   vtkNew<vtkFDTDeformationFilter> deformation;
   vtkNew<vtkFDTCurveFilter> curveDeformation;
   vtkNew<vtkPassThrough> skin, shownCurves;
-  vtkNew<vtkGeometryFilter> surface;
+  vtkNew<vtkOrderedGeometryFilter> surface;
   PipelineErrors errors;
 
   Internals() {

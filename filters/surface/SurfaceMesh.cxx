@@ -8,11 +8,11 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkGeometryFilter.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkOrderedGeometryFilter.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataConnectivityFilter.h"
@@ -106,7 +106,7 @@ void offerGrid(vtkInformation* output, int rows, int columns) {
 vtkSmartPointer<vtkPolyData> visibleSurface(vtkDataObject* data) {
   if (auto* surface = vtkPolyData::SafeDownCast(data)) return surface;
   if (!vtkStructuredGrid::SafeDownCast(data)) return nullptr;
-  vtkNew<vtkGeometryFilter> geometry;
+  vtkNew<vtkOrderedGeometryFilter> geometry;
   geometry->SetInputData(data);
   geometry->Update();
   return geometry->GetOutput();

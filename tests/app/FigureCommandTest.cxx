@@ -46,7 +46,8 @@ std::string wordsOf(const std::string& svg) {
 
 TEST(FigureCommand, EveryFigureOfTheCatalogueIsDrawnWithoutADisplay) {
   const TemporaryFolder folder;
-  run({"--all", "-o", folder.file("all"), "--width", "85", "--dpi", "72"});
+  const Outcome drawn = run({"--all", "-o", folder.file("all"), "--width", "85", "--dpi", "72"});
+  EXPECT_NE(drawn.errors.find("pde-9 (9 of 22)"), std::string::npos) << "a log has a line for each: " << drawn.errors;
   const std::string page = readTextFile(folder.file("all/index.html"));
   const std::set<std::string> plain(drawings.begin(), drawings.end());
   const std::vector<std::string> ids = knownFigures();
@@ -62,6 +63,9 @@ TEST(FigureCommand, EveryFigureOfTheCatalogueIsDrawnWithoutADisplay) {
     EXPECT_NE(page.find("id=\"" + id + "\""), std::string::npos);
     EXPECT_NE(page.find("mien figure " + id), std::string::npos) << "the page shows the command of " << id;
   }
+  static const std::regex link("(?:src|href)=\"([^\"#][^\"]*)\"");
+  for (std::sregex_iterator it(page.begin(), page.end(), link), end; it != end; ++it)
+    EXPECT_FALSE(readTextFile(folder.file("all/" + (*it)[1].str())).empty()) << "beside the page: " << (*it)[1];
   EXPECT_EQ(page.find("http://"), std::string::npos) << "the page works offline";
   EXPECT_EQ(page.find("https://"), std::string::npos);
 }
@@ -83,6 +87,38 @@ TEST(FigureCommand, PdfHoldsFontsAndNoRaster) {
   const std::string pdf = readTextFile(folder.file("x.pdf"));
   EXPECT_GT(countOf(pdf, "/FontFile"), 0);
   EXPECT_EQ(countOf(pdf, "/Subtype /Image"), 0);
+}
+
+TEST(FigureCommand, TheFontIsThatAskedFor) {
+  const TemporaryFolder folder;
+  run({"fdt-4", "--font", "DejaVu Serif", "-o", folder.file("x.svg")});
+  const std::string svg = readTextFile(folder.file("x.svg"));
+  EXPECT_NE(svg.find("font-family=\"DejaVu Serif, "), std::string::npos);
+  EXPECT_EQ(svg.find("font-family=\"DejaVu Sans"), std::string::npos);
+  run({"fdt-4", "--font", "DejaVu Serif", "-o", folder.file("x.pdf")});
+  const std::string pdf = readTextFile(folder.file("x.pdf"));
+  EXPECT_NE(pdf.find("DejaVuSerif"), std::string::npos);
+  EXPECT_GT(countOf(pdf, "/FontFile"), 0);
+  run({"--from", folder.file("x.pdf"), "-o", folder.file("again.svg")});
+  EXPECT_EQ(readTextFile(folder.file("again.svg")), svg);
+}
+
+TEST(FigureCommand, OptionsWithoutUseAreSaid) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("x.svg");
+  EXPECT_EQ(run({"pde-5", "-o", file}).errors, "");
+  EXPECT_NE(run({"pde-5", "--frames", "3", "-o", file}).errors.find("pde-9, pde-10 do"), std::string::npos);
+  EXPECT_EQ(readTextFile(file).find("--frames"), std::string::npos) << "the command it carries is the one it heeds";
+  const std::string painted = MIEN_DATA_DIR "/textures/painted.png";
+  EXPECT_NE(run({"fdt-4", "--texture", painted, "-o", file}).errors.find("--texture is ignored"), std::string::npos);
+}
+
+TEST(FigureCommand, APatchOfTheCurvesHasItsBracket) {
+  const TemporaryFolder folder;
+  run({"pde-1", "-o", folder.file("x.svg")});
+  const std::string svg = readTextFile(folder.file("x.svg"));
+  for (int patch = 0; patch < 9; ++patch)
+    EXPECT_EQ(countOf(svg, ">P" + std::to_string(patch) + "<"), 2) << "mouth closed and open";
 }
 
 TEST(FigureCommand, AFigureIsDrawnAgainFromItsFile) {
@@ -137,11 +173,19 @@ TEST(FigureCommand, WrongRequestsAreRefused) {
   expect({"pde-1"}, 2, "-o");
   expect({"pde-1", "-o", folder.file("x.gif")}, 2, ".svg");
   expect({"pde-1", "-o", file, "--width", "5"}, 2, "--width");
-  expect({"pde-1", "-o", file, "--width", "nan"}, 2, "--width");
+  for (const char* const width : {"nan", "0", "-85", "1e300", "85 bananas"})
+    expect({"pde-1", "-o", file, "--width", width}, 2, "--width");
+  expect({"pde-1", "-o", file, "--font", "DejaVu Sams"}, 2, "near ones are DejaVu");
+  expect({"pde-1", "-o", file, "--font", "Xyzzyx"}, 2, "fc-list");
+  expect({"pde-1", "-o", folder.file("none/x.svg")}, 1, "none");
+  expect({"pde-1", "-o", file, "--resolution", "1000000x1000000"}, 2, "too fine");
+  expect({"--all", "-o", folder.file("all"), "--format", "gif"}, 2, "--format");
+  expect({"--all", "-o", "/dev/null/x"}, 1, "/dev/null/x");
   expect({"pde-2", "-o", file, "--dpi", "100000"}, 2, "--dpi");
   expect({"pde-9", "-o", file, "--frames", "99999"}, 2, "their numbers run from 0 to 300");
   expect({"pde-9", "-o", file, "--frames", "1,2,3,4,5,6,7,8,9"}, 2, "at most");
   expect({"--from", MIEN_DATA_DIR "/textures/painted.png", "-o", file}, 1, "painted.png");
   expect({"--all"}, 2, "folder");
+  expect({"--all", "--frames", "99999", "-o", folder.file("")}, 2, "their numbers run from 0 to 300");
   EXPECT_EQ(entriesIn(folder.file("")), 0) << "nothing is left behind";
 }

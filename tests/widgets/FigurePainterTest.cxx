@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "FigureApplication.h"
@@ -117,6 +118,22 @@ TEST_F(FigurePainter, BarsReachFromZeroToTheirValue) {
   bool found = false;
   while (rectangles.hasNext()) found = std::abs(rectangles.next().captured(4).toDouble() - height) < 0.1 || found;
   EXPECT_TRUE(found);
+}
+
+TEST_F(FigurePainter, NamesThatDoNotFitAreLeftOutNotDrawnOverEachOther) {
+  mien::Figure figure = oneLine();
+  mien::Chart& chart = figure.panels[0];
+  for (int i = 0; i < 100; ++i) chart.x.categories.push_back(std::to_string(i));
+  chart.x.categories.push_back("rest");
+  auto texts = QRegularExpression("<text[^>]* x=\"([^\"]*)\"[^>]*>([^<]*)</text>").globalMatch(svg(figure));
+  std::map<double, QString> names;
+  while (texts.hasNext()) {
+    const QRegularExpressionMatch match = texts.next();
+    if (std::count(chart.x.categories.begin(), chart.x.categories.end(), match.captured(2).toStdString()))
+      names[match.captured(1).toDouble()] = match.captured(2);
+  }
+  EXPECT_GE(names.size(), 5u);
+  EXPECT_EQ(names.rbegin()->second, "rest");
 }
 
 TEST_F(FigurePainter, SeriesDifferInMoreThanColour) {

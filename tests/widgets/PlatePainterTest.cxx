@@ -6,10 +6,12 @@
 #include "FigureApplication.h"
 #include "FigureFile.h"
 #include "PicturePanel.h"
+#include "PlaneAxes.h"
 #include "PlaneDrawingPainter.h"
 #include "PlatePainter.h"
 #include "TemporaryFolder.h"
 #include "TextFile.h"
+#include "TextLines.h"
 #include "TextTable.h"
 
 namespace {
@@ -92,6 +94,48 @@ TEST_F(PlatePainter, ANarrowTableIsHigher) {
   EXPECT_GT(narrow.shape * 60.0, 1.5 * wide.shape * 170.0);
   const std::string text = svg({"", {wide}, 1, "", ""});
   for (const char* word : {"Expression", "joy", "250"}) EXPECT_NE(text.find(word), std::string::npos) << word;
+}
+
+TEST_F(PlatePainter, AColumnIsAsWideAsItsLongestWord) {
+  mien::TextTable table;
+  table.columns = {{"Region", 3.0}, {"a1", 1.0, true}, {"b1", 1.0, true}};
+  table.rows = {{"1", "a1\u00a0=\u00a0-0.1017", "b1\u00a0=\u00a0-0.1378"}};
+  const mien::PlatePanel panel = mien::tablePanel("", table, 40.0);
+  const std::string text = svg({"", {panel}, 1, "", ""});
+  const auto left = [&](const std::string& word) {  // of the text that holds the word
+    const size_t end = text.rfind("x=\"", text.find(word)) + 3;
+    return std::stod(text.substr(end));
+  };
+  const QFont font = mien::figureFont(table.size);
+  const double width = mien::textWidth(font, QString::fromUtf8("a1\u00a0=\u00a0-0.1017"));
+  EXPECT_LT(left(">a1\u00a0=") + width, left(">b1\u00a0="));
+}
+
+TEST_F(PlatePainter, AxesSpanTheirRangeWithNumbersInsideThePanel) {
+  PlaneDrawing drawing = rectangle();
+  const QRectF range = drawing.bounds();
+  const QRectF shown = mien::addPlaneAxes(drawing, range, 5.0, "mm", 60.0);
+  EXPECT_TRUE(shown.contains(range));
+  int numbers = 0;
+  const mien::PlaneDrawingPainter painter(drawing, QRectF(0, 0, 6000, 6000), shown);
+  for (const PlaneDrawing::Label& label : drawing.labels) {
+    const double value = label.text.toDouble();
+    if (label.alignment == (Qt::AlignHCenter | Qt::AlignTop)) {
+      EXPECT_NEAR(value, label.at.x(), 1e-9);
+      ++numbers;
+    } else if (label.alignment == (Qt::AlignRight | Qt::AlignVCenter)) {
+      EXPECT_NEAR(value, label.at.y(), 1e-9);
+      EXPECT_GT(painter.position(label.at).x(), mien::textWidth(mien::figureFont(label.size), label.text));
+      ++numbers;
+    }
+  }
+  EXPECT_EQ(numbers, 5);  // 0, 5, 10 and 0, 5
+}
+
+TEST_F(PlatePainter, AStrokeWithoutWidthIsNotDrawn) {
+  PlaneDrawing drawing;
+  drawing.lines.push_back({QPolygonF({{0, 0}, {10, 0}, {10, 5}}), {QColor("#123456"), 0.0}, true});
+  EXPECT_EQ(svg({"", {drawingPanel("", drawing)}, 1, "", ""}).find("#123456"), std::string::npos);
 }
 
 }  // namespace

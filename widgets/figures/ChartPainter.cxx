@@ -75,16 +75,38 @@ double ChartPainter::categoryWidth() const {
   return width;
 }
 
-/// Whether names would run into each other beside each other.
-bool ChartPainter::namesStandUpright(double plotWidth) const {
+/// Whether every `step`-th name and the last one stand beside each other without touching.
+bool ChartPainter::namesFit(double plotWidth, size_t step) const {
   const std::vector<std::string>& names = chart_.x.categories;
   const QFont font = figureFont(numberSize);
-  for (size_t i = 0; i + 1 < names.size(); ++i) {
+  for (size_t i = 0; i + step < names.size(); i += step) {
     const double widths =
-        textWidth(font, QString::fromStdString(names[i])) + textWidth(font, QString::fromStdString(names[i + 1]));
-    if (0.5 * widths + points(gap) > plotWidth / names.size()) return true;
+        textWidth(font, QString::fromStdString(names[i])) + textWidth(font, QString::fromStdString(names[i + step]));
+    if (0.5 * widths + points(gap) > step * plotWidth / names.size()) return false;
   }
-  return false;
+  return true;
+}
+
+/// Whether names would run into each other beside each other, but not on their sides.
+bool ChartPainter::namesStandUpright(double plotWidth) const {
+  const bool room = plotWidth / std::max<size_t>(chart_.x.categories.size(), 1) >= figureFont(numberSize).pixelSize();
+  return room && !namesFit(plotWidth, 1);
+}
+
+/// All names, or, where that are too many, every second, fifth, tenth .. and the last.
+std::vector<AxisTick> ChartPainter::nameTicks(double plotWidth) const {
+  std::vector<AxisTick> ticks = x_.ticks(chart_.x, 0);
+  if (namesStandUpright(plotWidth) || namesFit(plotWidth, 1)) return ticks;
+  const QFont font = figureFont(numberSize);
+  size_t step = 2;
+  while (step < ticks.size() && !namesFit(plotWidth, step)) step = step == 2 ? 5 : 2 * step;
+  const double last = 0.5 * textWidth(font, QString::fromStdString(ticks.back().text));
+  for (size_t i = 0; i + 1 < ticks.size(); ++i) {
+    const double half = 0.5 * textWidth(font, QString::fromStdString(ticks[i].text));
+    const bool meetsLast = half + last + points(gap) > (ticks.size() - 1 - i) * plotWidth / ticks.size();
+    if (i % step != 0 || meetsLast) ticks[i].text.clear();
+  }
+  return ticks;
 }
 
 /// How far the last name reaches beyond the plot.
@@ -106,7 +128,7 @@ std::vector<AxisTick> ChartPainter::yTicks(double plotHeight) const {
 
 /// As many numbers as stand beside each other with room between them.
 std::vector<AxisTick> ChartPainter::xTicks(double plotWidth) const {
-  if (!chart_.x.categories.empty()) return x_.ticks(chart_.x, 0);
+  if (!chart_.x.categories.empty()) return nameTicks(plotWidth);
   for (int most = 8; most > 1; --most) {
     const std::vector<AxisTick> ticks = x_.ticks(chart_.x, most);
     double end = -1e9;

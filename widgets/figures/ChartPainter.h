@@ -45,7 +45,9 @@ class ChartPainter {
   QString heading() const;
   std::vector<AxisTick> xTicks(double plotWidth) const;
   std::vector<AxisTick> yTicks(double plotHeight) const;
+  bool namesFit(double plotWidth, size_t step) const;
   bool namesStandUpright(double plotWidth) const;
+  std::vector<AxisTick> nameTicks(double plotWidth) const;
   double categoryWidth() const;
   double numberDepth(double plotWidth) const;
   double overhang(double plotWidth) const;

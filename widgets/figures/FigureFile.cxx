@@ -10,6 +10,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QSvgGenerator>
 #include <algorithm>
 #include <cstdlib>
@@ -42,9 +43,11 @@ bool writeBytes(const std::string& name, const QByteArray& bytes) {
   return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush();
 }
 
-/// Viewers without the font take one whose letters are as wide.
+/// Viewers without the font take one whose letters are as wide, or at least one of the same kind.
 void nameOtherFonts(QByteArray& svg) {
   svg.replace("font-family=\"DejaVu Sans\"", "font-family=\"DejaVu Sans, Bitstream Vera Sans, Verdana, sans-serif\"");
+  static const QRegularExpression lonely(QStringLiteral("font-family=\"([^\",]+)\""));
+  svg = QString::fromUtf8(svg).replace(lonely, QStringLiteral("font-family=\"\\1, sans-serif\"")).toUtf8();
 }
 
 /// Qt writes the clock's date. Places in the file must stay where they are, so that the new date is as long.

@@ -4,6 +4,15 @@
 
 namespace mien {
 
+namespace {
+
+QString& fontFamily() {
+  static QString family;
+  return family;
+}
+
+}  // namespace
+
 const std::vector<FigureTheme>& FigureTheme::all() {
   static const std::vector<FigureTheme> themes = {{"light",
                                                    "#ffffff",
@@ -38,8 +47,12 @@ const FigureTheme* FigureTheme::find(const std::string& name) {
   return nullptr;
 }
 
+void setFigureFontFamily(const QString& family) {
+  fontFamily() = family;
+}
+
 QFont figureFont(double points, bool bold) {
-  QFont font(QStringLiteral("DejaVu Sans"));
+  QFont font(fontFamily().isEmpty() ? QStringLiteral("DejaVu Sans") : fontFamily());
   font.setStyleHint(QFont::SansSerif);
   font.setHintingPreference(QFont::PreferNoHinting);
   font.setPixelSize(qRound(figureUnitsFromPoints(points)));

@@ -32,6 +32,10 @@ struct FigureTheme {
   static const FigureTheme* find(const std::string& name);
 };
 
+/// The family of all figures drawn from now on; it must be installed. Empty, the default: DejaVu Sans. To be set before
+/// anything is laid out.
+void setFigureFontFamily(const QString& family);
+
 /// The font of figures in a size in pt.
 QFont figureFont(double points, bool bold = false);
 

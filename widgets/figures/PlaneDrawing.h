@@ -10,7 +10,7 @@ namespace mien {
 /// How the strokes of a drawing look. Colours left invalid are the theme's text colour.
 struct PlaneStroke {
   QColor color = {};
-  double width = 0.6;  ///< pt
+  double width = 0.6;  ///< pt; 0: none
   bool dashed = false;
   QColor fill = {};  ///< invalid: not filled
 };

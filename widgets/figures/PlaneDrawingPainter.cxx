@@ -18,6 +18,7 @@ constexpr double labelGap = 1.5;                           // pt, between a poin
 constexpr double haloWidth = 1.6;                          // pt, around a label
 
 QPen penOf(const PlaneStroke& stroke, const FigureTheme& theme) {
+  if (stroke.width <= 0.0) return Qt::NoPen;  // Qt draws a hairline
   QPen pen(stroke.color.isValid() ? stroke.color : theme.text, figureUnitsFromPoints(stroke.width));
   pen.setJoinStyle(Qt::RoundJoin);
   pen.setCapStyle(Qt::RoundCap);

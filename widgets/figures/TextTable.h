@@ -17,6 +17,7 @@ struct TextTable {
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;  ///< as many cells as columns; text is broken to fit
   double size = 6.5;                           ///< pt
+  bool close = false;                          ///< little room between rows and columns
 };
 
 /// A panel that holds the table.

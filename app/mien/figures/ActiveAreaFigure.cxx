@@ -50,8 +50,10 @@ QPolygonF gridLine(const MotionField& field, int row, bool moved) {
 void addActiveArea(PlaneDrawing& drawing, const MotionField& field, bool moved) {
   const auto [first, last] = activeRows(field);
   QPolygonF area = gridLine(field, first, moved);
+  for (int row = first + 1; row < last; ++row) area << gridLine(field, row, moved).last();
   const QPolygonF lower = gridLine(field, last, moved);
   std::copy(lower.rbegin(), lower.rend(), std::back_inserter(area));
+  for (int row = last - 1; row > first; --row) area << gridLine(field, row, moved).first();
   PlaneStroke fill, line;
   fill.width = 0.0;
   fill.fill = QColor(86, 180, 233, 60);

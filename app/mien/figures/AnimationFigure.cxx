@@ -77,6 +77,7 @@ FigureDrawing drawAnimation(FigureContext& context) {
   plate.panels = {curveRow(context, states), vectorRow(context, states)};
   const size_t textures = std::max<size_t>(context.settings().textures.size(), 1);
   for (size_t i = 0; i < textures; ++i) plate.panels.push_back(texturedRow(context, states, i, "Textured", false));
+  plate.caption = "Frames of an animation; arrows of all frames have one scale and one range of colours.";
   plate.note = noteOf(states);
   return context.drawn(plate);
 }
@@ -86,6 +87,7 @@ FigureDrawing drawTexturedAnimation(FigureContext& context) {
   Plate plate;
   plate.columns = 1;
   plate.panels = {texturedRow(context, states, 0, "", true)};
+  plate.caption = "Frames of an animation, textured.";
   plate.note = noteOf(states);
   return context.drawn(plate);
 }

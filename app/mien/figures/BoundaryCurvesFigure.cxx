@@ -13,14 +13,21 @@ namespace mien {
 namespace {
 
 constexpr double twoColumns = 120.0;  // mm: below this the panels stand one below the other
-constexpr double nameHeight = 2.0;    // mm on paper that a name needs
-constexpr double namesShare = 1.35;   // width of the panel over that of the curves: room for names on both sides
+constexpr double nameHeight = 2.2;    // mm on paper that a name needs
+constexpr double nameWidth = 6.3;     // mm on paper, of "C22'"
+constexpr double leaders = 8.0;       // mm of the face, from the curves to their names
+constexpr double patchesWidth = 6.0;  // mm on paper: brackets and names of the patches
 
 /// C1, C3 .. or C2, C4 ..: names alternate between the sides.
 std::vector<int> everySecond(int first) {
   std::vector<int> curves;
   for (int curve = first; curve < FaceLayout::curveCount; curve += 2) curves.push_back(curve);
   return curves;
+}
+
+/// mm of the face for one on paper, with room for names on both sides and for the brackets on the left.
+double faceScale(const CurveDrawing& face, double panelWidth) {
+  return (face.bounds().width() + 2.0 * leaders) / (panelWidth - 2.0 * nameWidth - patchesWidth);
 }
 
 PlaneDrawing labelledCurves(const ClosedCurves& curves, double panelWidth) {
@@ -33,9 +40,10 @@ PlaneDrawing labelledCurves(const ClosedCurves& curves, double panelWidth) {
     if (curve == FaceLayout::upperLip || curve == FaceLayout::lowerLip) stroke.color = QColor("#d55e00");
     return stroke;
   });
-  const double gap = nameHeight * namesShare * face.bounds().width() / panelWidth;
+  const double scale = faceScale(face, panelWidth), gap = nameHeight * scale;
   face.addNames(drawing, everySecond(0), true, gap);
   face.addNames(drawing, everySecond(1), false, gap);
+  face.addPatchNames(drawing, leaders + nameWidth * scale);
   return drawing;
 }
 
@@ -50,15 +58,16 @@ FigureDrawing drawBoundaryCurves(FigureContext& context) {
   const double width = PlatePainter::panelWidth(context.settings().width, columns, 1);
   const PlaneDrawing closedMouth = labelledCurves(context.curves(rest).curves, width);
   const PlaneDrawing openMouth = labelledCurves(context.curves(open).curves, width);
-  const QRectF shown = closedMouth.bounds().united(openMouth.bounds()).adjusted(-9.0, 0.0, 9.0, 0.0);
+  const double side = nameWidth * faceScale(CurveDrawing(context.curves(rest).curves), width);
+  const QRectF shown = closedMouth.bounds().united(openMouth.bounds()).adjusted(-0.7 * side, 0.0, side, 0.0);
   Plate plate;
   plate.columns = columns;
   plate.panels = {drawingPanel("Mouth closed: C22 and C22' coincide", closedMouth, shown),
                   drawingPanel("Mouth open", openMouth, shown)};
   plate.caption =
-      "Thick: curves between patches (P0 = C1 .. C4, P1 = C4 .. C7, P2 = C7 .. C10, P3 = C10 .. C13, P4 = C13 .. C16, "
-      "P5 = C16 .. C19, P6 = C19 .. C22, P7 = C22' .. C25, P8 = C25 .. C28); orange: the inner contours C22 (upper) "
-      "and C22' (lower).";
+      "The 29 boundary curves of the frontal half and the nine patches P0 .. P8, each between four of them. Thick: "
+      "curves "
+      "that two patches share; orange: the inner contours C22 (upper) and C22' (lower).";
   return context.drawn(plate);
 }
 

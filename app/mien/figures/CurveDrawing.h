@@ -29,7 +29,9 @@ class CurveDrawing {
   void addNames(PlaneDrawing& drawing, const std::vector<int>& curves, bool right, double gap) const;
 
   /// Adds a bracket and a name for each of the nine patches on the left, from its first curve to its last.
-  void addPatchNames(PlaneDrawing& drawing) const;
+  ///
+  /// @param distance  of the brackets from the curves, mm of the face
+  void addPatchNames(PlaneDrawing& drawing, double distance) const;
 
   QRectF bounds() const;
 

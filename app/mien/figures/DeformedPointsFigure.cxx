@@ -6,7 +6,9 @@
 #include "Failure.h"
 #include "FigureContext.h"
 #include "NamedTables.h"
+#include "PlaneAxes.h"
 #include "PlaneDrawingPainter.h"
+#include "PlatePainter.h"
 #include "TableDeformation.h"
 
 namespace mien {
@@ -81,16 +83,18 @@ FigureDrawing drawDeformedPoints(FigureContext& context) {
     addPoint(after, at + moves[i], QColor("#d55e00"));
     addWay(after, at, moves[i]);
   }
-  for (PlaneDrawing* drawing : {&before, &after})
-    for (const double x : {-1.0, 1.0})
-      drawing->labels.push_back({{x, 0.0}, QString("(%1, 0)").arg(x), 6.0, Qt::AlignCenter, {}, true});
-  const QRectF shown = before.bounds().united(after.bounds());
   Plate plate;
+  const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
+  QRectF shown = before.bounds().united(after.bounds()), range = shown;
+  for (PlaneDrawing* drawing : {&before, &after}) {
+    for (const double x : {-1.0, 1.0}) drawing->marks.push_back({{x, 0.0}, 2.2, {QColor(), 0.7}});
+    shown = addPlaneAxes(*drawing, range, 1.0, "pupil units", width);
+  }
   plate.panels = {drawingPanel("Points of the neutral face", before, shown),
                   drawingPanel("Deformed by " + name, after, shown)};
   plate.caption = std::string(
-                      "A lattice of points; the pupils are at (-1, 0) and (1, 0), curves are those of the neutral "
-                      "face. Each point is moved by the map of its region, ") +
+                      "A lattice of points; the rings at (-1, 0) and (1, 0) are the pupils, grey curves those of the "
+                      "neutral face. Each point is moved by the map of its region, ") +
                   (asked.smooth ? "blended smoothly at the borders." : "with the hard borders of the paper.");
   return context.drawn(plate);
 }

@@ -49,6 +49,7 @@ std::string definitions() {
 FigureDrawing drawExpressionTable(FigureContext& context) {
   TextTable table;
   const bool narrow = context.isNarrow();
+  table.close = narrow;
   table.columns = {{narrow ? "" : "Expression", 0.8}, {"Definition", 2.2}, {"Facial action", 1.5}, {"FAP: value", 2.2}};
   if (narrow) table.columns.erase(table.columns.begin() + 1);
   for (const ExpressionProfile& expression : defaultExpressions().expressions())

@@ -63,6 +63,7 @@ FigureDrawing drawExpressions(FigureContext& context) {
   plate.columns = 1;
   plate.panels = {curveRow(context), faceRow(context, "Surface, 29 x 40 points", mesh, SceneStyle::Mesh::Wireframe),
                   faceRow(context, "Textured", fine, SceneStyle::Mesh::Shaded)};
+  plate.caption = "The six expressions at full intensity, each from its FAPs.";
   return context.drawn(plate);
 }
 

@@ -87,6 +87,7 @@ FigureDrawing drawEyebrow(FigureContext& context) {
   for (size_t i = 0; i < cases.size(); ++i) plate.panels.push_back(drawingPanel(cases[i].first, drawings[i], shown));
   plate.panels.push_back(chartPanel(weightChart(face)));
   plate.panels.back().span = 2;
+  plate.panels.back().heading = "Weights along the curve";
   const double unit = face.units().perValue(fapDefinition(middleBrow).unit);
   plate.caption = "Values of " + shortestText(value) + " FAP units, " +
                   shortestText(std::round(value * unit * 100.0) / 100.0) +

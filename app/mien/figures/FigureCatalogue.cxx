@@ -11,13 +11,15 @@ namespace {
 
 const std::string sheng = "Sheng et al. 2011, ", obaid = "Obaid et al. 2009, ";
 
+constexpr int mostTextures = 8;  // rows of one figure
+
 const std::vector<CatalogueFigure> figures = {
     {"pde-1", sheng + "Figure 1", "Boundary curves of the face",
      "The 29 boundary curves, frontal half, with the mouth closed and open.", drawBoundaryCurves},
     {"pde-2", sheng + "Figure 2", "One face at two resolutions",
      "The same curves as 28 x 20 and as 50 x 40 points, as wireframe and shaded.", drawMeshes},
     {"pde-3", sheng + "Figure 3", "Texture warp", "The six steps from a photograph to a textured face.",
-     drawTextureWarp},
+     drawTextureWarp, 1},
     {"pde-4", sheng + "Figure 4", "Moving one curve",
      "Curves and active area before and after, and the motion of the active area.", drawActiveArea},
     {"pde-5", sheng + "Figure 5", "The left eyebrow", "FAPs 31, 33 and 35 as staggered sinusoids on the brow's curve.",
@@ -27,10 +29,11 @@ const std::vector<CatalogueFigure> figures = {
     {"pde-7", sheng + "Figure 7", "The application", "Mien Studio's window.", drawWindow},
     {"pde-8", sheng + "Figure 8", "Six expressions",
      "Anger, joy, sadness, disgust, fear and surprise as curves, as a mesh of 29 x 40 points and textured.",
-     drawExpressions},
+     drawExpressions, 1},
     {"pde-9", sheng + "Figure 9", "Frames of an animation",
-     "Five frames as curves, motion vector fields and textured faces.", drawAnimation},
-    {"pde-10", sheng + "Figure 10", "Frames of another animation", "Five textured frames.", drawTexturedAnimation},
+     "Five frames as curves, motion vector fields and textured faces.", drawAnimation, mostTextures, true},
+    {"pde-10", sheng + "Figure 10", "Frames of another animation", "Five textured frames.", drawTexturedAnimation, 1,
+     true},
     {"pde-table-1", sheng + "Table 1", "The six expressions as FAPs",
      "Definition, facial actions, and the FAPs with their values.", drawExpressionTable},
     {"fdt-2", obaid + "Figure 2", "Points deformed", "A set of points before and after a deformation table.",

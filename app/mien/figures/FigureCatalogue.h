@@ -16,6 +16,8 @@ struct CatalogueFigure {
   std::string title;
   std::string caption;  ///< what is seen, in the gallery
   FigureDrawing (*draw)(FigureContext& context);
+  int textures = 0;     ///< how many of the textures asked for it shows at most
+  bool frames = false;  ///< whether it shows frames of an animation
 };
 
 /// All of them, in the order of the papers. A new figure is one file and one line there.

@@ -68,12 +68,22 @@ void FigureContext::requireDisplay() {
   if (!display_) display_.emplace();
 }
 
+/// All figures show one neutral face, onto which each photograph is warped once.
+vtkSmartPointer<vtkImageData> FigureContext::textureOf(FacePipeline& pipeline) {
+  const FaceState& state = pipeline.state();
+  if (state.texture.empty()) return nullptr;
+  vtkSmartPointer<vtkImageData>& texture = warped_[{state.texture, state.textureMesh}];
+  if (!texture) texture = faceTexture(pipeline);
+  return texture;
+}
+
 QImage FigureContext::picture(const FaceState& state, SceneStyle style, double width, double shape) {
   requireDisplay();
   style.width = pixelsOf(width, settings_.dotsPerInch);
   style.height = pixelsOf(width * shape, settings_.dotsPerInch);
   style.transparent = true;
-  FaceScene scene(pipeline(state), style);
+  FacePipeline& face = pipeline(state);
+  FaceScene scene(face, style, textureOf(face));
   return imageOf(scene.render());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -14,6 +15,7 @@
 #include "Plate.h"
 #include "SceneStyle.h"
 #include "VirtualDisplay.h"
+#include "vtkSmartPointer.h"
 
 class vtkImageData;
 class vtkPolyData;
@@ -76,9 +78,12 @@ class FigureContext {
   bool isNarrow() const { return settings_.width < 120.0; }
 
  private:
+  vtkSmartPointer<vtkImageData> textureOf(FacePipeline& pipeline);
+
   FaceState state_;
   FigureSettings settings_;
   FacePipeline pipeline_;
+  std::map<std::pair<std::string, std::string>, vtkSmartPointer<vtkImageData>> warped_;  ///< by image and mesh
   std::optional<VirtualDisplay> display_;
 };
 

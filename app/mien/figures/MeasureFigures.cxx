@@ -31,18 +31,20 @@ std::string threeDigits(const json& value) {
   return value < rounding ? "0" : QString::number(value.get<double>(), 'g', 3).toStdString();
 }
 
-/// The chart without its own words, which the plate has.
-PlatePanel bare(Figure chart, double width) {
+/// The chart without its own words, which the plate has. In one column it is lower, so that it fits a page.
+PlatePanel bare(FigureContext& context, Figure chart) {
+  constexpr double narrowShare = 0.84;
   chart.title.clear();
   chart.caption.clear();
   chart.note.clear();
-  return figurePanel("", chart, width);
+  return figurePanel("", chart, context.innerWidth(), context.isNarrow() ? narrowShare : 1.0);
 }
 
 /// The largest angle of each seam, a column for each scheme.
 TextTable largestAngles(const json& report, const std::vector<std::string>& schemes) {
   TextTable table;
-  table.size = 5.2;
+  table.size = 6.0;
+  table.close = true;
   table.columns.push_back({"Seam", 0.8});
   for (const std::string& scheme : schemes) table.columns.push_back({scheme, 1.0, true});
   const json& first = report["schemes"][0]["seams"];
@@ -57,6 +59,7 @@ TextTable largestAngles(const json& report, const std::vector<std::string>& sche
 /// Where each scheme breaks down, and why.
 TextTable breakdownTable(const json& breakdowns) {
   TextTable table;
+  table.close = true;
   table.columns = {{"Scheme", 0.8}, {"Breaks down at a", 0.8}, {"Because", 2.4}};
   for (const json& row : breakdowns)
     table.rows.push_back({row["scheme"].get<std::string>(), threeDigits(row["a"]), row["reason"].get<std::string>()});
@@ -88,11 +91,11 @@ FigureDrawing drawContinuity(FigureContext& context) {
   plate.columns = 1;
   plate.note = chart.note;
   plate.caption =
-      "Angle between the normals of neighbouring patches along each seam, and its largest values in degrees; less than "
-      "1e-9 degrees, rounding, is given as 0.";
-  plate.panels = {
-      figurePanel("", chart, context.innerWidth()),
-      tablePanel("Largest angle, degrees", largestAngles(report.json, face.schemes()), context.innerWidth())};
+      "Angle between the normals of neighbouring patches along each seam, from the back of the head (v = 0) over the "
+      "nose "
+      "bridge (180 degrees), and its largest values; less than 1e-9 degrees, rounding, is given as 0.";
+  plate.panels = {bare(context, chart), tablePanel("Largest angle, degrees", largestAngles(report.json, face.schemes()),
+                                                   context.innerWidth())};
   return context.drawn(plate, false);
 }
 
@@ -115,7 +118,7 @@ FigureDrawing drawSweep(FigureContext& context) {
   plate.columns = 1;
   plate.caption = chart.caption;
   plate.note = chart.note;
-  plate.panels = {surfaceRow(context), bare(chart, context.innerWidth()),
+  plate.panels = {surfaceRow(context), bare(context, chart),
                   tablePanel("", breakdownTable(report.json["breakdowns"]), context.innerWidth())};
   return context.drawn(plate, false);
 }

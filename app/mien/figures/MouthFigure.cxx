@@ -56,7 +56,7 @@ PlaneDrawing mouthDrawing(FaceAnimator& face, const MouthCase& one) {
          {FaceLayout::upperLip - 1, FaceLayout::upperLip, FaceLayout::lowerLip, FaceLayout::lowerLip + 1}) {
       const bool isInner = curve == FaceLayout::upperLip || curve == FaceLayout::lowerLip;
       if (!isEnd && step > 0 && !isInner) continue;
-      PlaneStroke stroke = isEnd ? strokeOf(isInner ? "#d55e00" : "#222222", 1.0) : strokeOf("#b8b8b8", 0.35);
+      PlaneStroke stroke = isEnd ? strokeOf(isInner ? "#d55e00" : "", 1.0) : strokeOf("#b8b8b8", 0.35);
       stroke.dashed = step == 0;
       drawing.lines.push_back({curves.line(curve), stroke});
       if (isInner) ways[curve - FaceLayout::upperLip].push_back(curves.samples(curve));
@@ -87,10 +87,9 @@ FigureDrawing drawMouth(FigureContext& context) {
   for (size_t i = 0; i < drawings.size(); ++i)
     plate.panels.push_back(drawingPanel(mouthCases()[i].heading, drawings[i], shown));
   plate.caption =
-      "C21, C23 (black) and the inner contours C22, C22' (orange) with the ways of their samples (blue); dashed: at "
-      "rest, grey: on the way. The contours open as one arch between the corners; where lips would cross, contact "
-      "bends "
-      "the ways. All six: the values of (a) to (c) together.";
+      "C21, C23 (outer) and the inner contours C22, C22' (orange) with the paths of their samples (blue); dashed: at "
+      "rest, grey: in between. The contours open as one arch between the corners; where lips would cross, contact "
+      "bends the paths. (d) All six FAPs of (a) to (c) together.";
   return context.drawn(plate);
 }
 

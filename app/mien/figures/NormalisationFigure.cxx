@@ -1,9 +1,12 @@
 #include <Eigen/Geometry>
+#include <tuple>
 
 #include "CatalogueFigures.h"
 #include "FaceInPupilUnits.h"
 #include "FigureContext.h"
+#include "PlaneAxes.h"
 #include "PlaneDrawingPainter.h"
+#include "PlatePainter.h"
 
 namespace mien {
 
@@ -12,6 +15,7 @@ namespace {
 // How the face of the example lies in its photograph: turned, shifted, 3.1 pixels per mm.
 constexpr double turn = 14.0 * M_PI / 180.0, pixelsPerMillimetre = 3.1;
 const Eigen::Vector2d shift(310.0, 420.0);
+constexpr double labelDistance = 2.4;  // mm on paper, from a pupil to the middle of its name
 
 /// Lines of the face and its pupils in one plane.
 struct Pose {
@@ -54,48 +58,60 @@ QPointF pointOf(const Eigen::Vector2d& point) {
   return {point.x(), point.y()};
 }
 
-/// The face, its pupils and, through `origin`, the axes.
-PlaneDrawing poseDrawing(const Pose& pose, const Eigen::Vector2d& origin, const QString& right, const QString& left) {
+/// A panel of the figures: a drawing and the part of the plane that is seen.
+struct PoseDrawing {
   PlaneDrawing drawing;
+  QRectF shown;
+};
+
+/// How the coordinates of a panel are written.
+struct Scale {
+  double step;  ///< between ticks
+  QString unit;
+};
+
+void addPupil(PlaneDrawing& drawing, const Eigen::Vector2d& at, const QString& name, double above) {
+  const QColor color("#d55e00");
+  drawing.marks.push_back({pointOf(at), 1.6, {color, 0.5, false, color}});
+  const QString text = QString("%1 (%2, %3)").arg(name).arg(std::lround(at.x())).arg(std::lround(at.y()));
+  drawing.labels.push_back({pointOf(at) + QPointF(0.0, above), text, 6.0, Qt::AlignCenter, color, true, true});
+}
+
+/// The face, the lines x = 0 and y = 0, the pupils with their coordinates, and axes.
+///
+/// @param width  of the panel, mm
+PoseDrawing drawingOf(const Pose& pose, const Scale& scale, double width) {
+  PoseDrawing panel;
+  PlaneDrawing& drawing = panel.drawing;
   addFaceBehind(drawing, pose.lines);
-  const QRectF box = drawing.bounds().united(QRectF(pointOf(origin), QSizeF(1e-3, 1e-3)));
-  const PlaneStroke axis = {QColor("#222222"), 0.4};
-  drawing.lines.push_back(
-      {segment(QPointF(box.left(), origin.y()), QPointF(box.right(), origin.y())), axis, false, true});
-  drawing.lines.push_back(
-      {segment(QPointF(origin.x(), box.top()), QPointF(origin.x(), box.bottom())), axis, false, true});
-  const QColor mark("#d55e00");
-  drawing.lines.push_back({segment(pointOf(pose.right), pointOf(pose.left)), {mark, 0.7}});
-  for (const auto& [at, name] : {std::pair(pose.right, right), {pose.left, left}}) {
-    drawing.marks.push_back({pointOf(at), 1.6, {mark, 0.5, false, mark}});
-    const double above = 0.035 * box.height();
-    drawing.labels.push_back({pointOf(at) + QPointF(0.0, above), name, 6.5, Qt::AlignCenter, mark, true});
+  const QRectF range = drawing.bounds().united(QRectF(QPointF(), QSizeF(1e-3, 1e-3)));
+  PlaneStroke zero;
+  zero.width = 0.4;
+  zero.dashed = true;
+  if (range.left() < 0.0) {  // else the axes lie there
+    drawing.lines.push_back({segment({range.left(), 0.0}, {range.right(), 0.0}), zero});
+    drawing.lines.push_back({segment({0.0, range.top()}, {0.0, range.bottom()}), zero});
   }
-  return drawing;
+  drawing.lines.push_back({segment(pointOf(pose.right), pointOf(pose.left)), {QColor("#d55e00"), 0.7}});
+  const double above = labelDistance * range.width() / width;
+  addPupil(drawing, pose.right, "p1", -above);
+  addPupil(drawing, pose.left, "p2", above);
+  panel.shown = addPlaneAxes(drawing, range, scale.step, scale.unit, width);
+  return panel;
 }
 
-/// "(231, 402)"
-QString inPixels(const Eigen::Vector2d& at) {
-  const auto whole = [](double value) { return QString::number(std::lround(value)); };
-  return "(" + whole(at.x()) + ", " + whole(at.y()) + ")";
-}
-
-/// The pose with the coordinates of its pupils.
-PlaneDrawing inPixels(const Pose& pose) {
-  return poseDrawing(pose, {0.0, 0.0}, inPixels(pose.right), inPixels(pose.left));
-}
-
-PlaneDrawing inPupilUnits(const Pose& pose) {
-  return poseDrawing(pose, {0.0, 0.0}, "(-1, 0)", "(1, 0)");
-}
+const Scale pixels = {200.0, "pixels"}, pupilUnits = {1.0, "pupil units"};
 
 }  // namespace
 
 FigureDrawing drawPupils(FigureContext& context) {
   const Pose pose = photographed(context);
   Plate plate;
-  plate.panels = {drawingPanel("As recorded, pixels", inPixels(pose)),
-                  drawingPanel("In pupil units", inPupilUnits(scaled(upright(centred(pose)))))};
+  const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
+  const PoseDrawing before = drawingOf(pose, pixels, width);
+  const PoseDrawing after = drawingOf(scaled(upright(centred(pose))), pupilUnits, width);
+  plate.panels = {drawingPanel("As recorded", before.drawing, before.shown),
+                  drawingPanel("Normalised", after.drawing, after.shown)};
   plate.caption = "The pupils p1 (the subject's right) and p2 give every face the same place, turn and size.";
   return context.drawn(plate);
 }
@@ -104,13 +120,19 @@ FigureDrawing drawNormalisation(FigureContext& context) {
   const Pose pose = photographed(context), first = centred(pose), second = upright(first), third = scaled(second);
   Plate plate;
   plate.columns = context.isNarrow() ? 2 : 4;
-  plate.panels = {
-      drawingPanel("Recorded, pixels", inPixels(pose)), drawingPanel("Moved to the midpoint", inPixels(first)),
-      drawingPanel("Turned about z", inPixels(second)), drawingPanel("Scaled: pupil units", inPupilUnits(third))};
+  const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
+  const std::tuple<const char*, Pose, Scale> steps[] = {{"Recorded", pose, pixels},
+                                                        {"Moved to the midpoint", first, pixels},
+                                                        {"Turned about z", second, pixels},
+                                                        {"Scaled", third, pupilUnits}};
+  for (const auto& [heading, step, scale] : steps) {
+    const PoseDrawing panel = drawingOf(step, scale, width);
+    plate.panels.push_back(drawingPanel(heading, panel.drawing, panel.shown));
+  }
   plate.caption =
-      "Pupil normalisation of a face that was recorded turned by 14 degrees; the axes meet at the origin, the numbers "
-      "are "
-      "the coordinates of the pupils after each step. The scale is uniform; depth is scaled with it.";
+      "Pupil normalisation of a face that was recorded turned by 14 degrees: pupils p1 (the subject's right) and p2 "
+      "with "
+      "their coordinates after each step; dashed: x = 0 and y = 0. The scale is uniform; depth is scaled with it.";
   return context.drawn(plate);
 }
 

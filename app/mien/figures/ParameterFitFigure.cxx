@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "FigureContext.h"
 #include "NumberText.h"
+#include "PlaneAxes.h"
 #include "PlaneDrawingPainter.h"
 #include "PlatePainter.h"
 #include "PupilNormalisation.h"
@@ -16,8 +17,9 @@ namespace mien {
 
 namespace {
 
-constexpr int region = 11;       // the left cheek, which has no slit
-constexpr double frontZ = 40.0;  // mm: beyond it the cheek goes over into the side of the head
+constexpr int region = 11;        // the left cheek, which has no slit
+constexpr double tickStep = 0.5;  // pupil units
+constexpr double frontZ = 40.0;   // mm: beyond it the cheek goes over into the side of the head
 
 /// Points of the region before and after, pupil units.
 struct RegionPoints {
@@ -49,8 +51,8 @@ PlaneDrawing pointDrawing(const RegionPoints& points) {
   for (std::size_t i = 0; i < points.before.size(); ++i) {
     const QPointF from(points.before[i].x(), points.before[i].y()), to(points.after[i].x(), points.after[i].y());
     drawing.lines.push_back({segment(from, to), {QColor("#888888"), 0.35}});
-    drawing.marks.push_back({from, 1.2, {blue, 0.1, false, blue}});
-    drawing.marks.push_back({to, 1.2, {orange, 0.1, false, orange}});
+    drawing.marks.push_back({from, 0.9, {blue, 0.4}});
+    drawing.marks.push_back({to, 0.9, {orange, 0.1, false, orange}});
   }
   return drawing;
 }
@@ -94,13 +96,16 @@ FigureDrawing drawParameterFit(FigureContext& context) {
   if (points.before.size() < 6) throw FileFailure("region 11 of this face holds fewer than six points");
   const QuadraticFit fit = fitQuadraticMap(points.matrix(points.before), points.matrix(points.after));
   Plate plate;
-  const double width = PlatePainter::panelWidth(context.settings().width, 2, 1);
-  plate.panels = {drawingPanel("Points of region 11", pointDrawing(points)),
+  plate.columns = context.isNarrow() ? 1 : 2;
+  const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
+  PlaneDrawing drawing = pointDrawing(points);
+  const QRectF shown = addPlaneAxes(drawing, drawing.bounds(), tickStep, "pupil units", width);
+  plate.panels = {drawingPanel("Points of region 11", drawing, shown),
                   tablePanel("The 12 parameters", coefficientTable(fit.map), width)};
   plate.caption =
       "x' = a1 x² + a2 xy + a3 y² + a4 x + a5 y + a6, y' likewise with b1 .. b6, fitted by least squares to " +
-      std::to_string(fit.points) + " points of the left cheek, before (blue) and after (orange, joined to them) " +
-      motionText(moved) +
+      std::to_string(fit.points) +
+      " points of the left cheek, before (open circles) and after (dots, joined to them) " + motionText(moved) +
       "; what is left over has an "
       "RMS of " +
       QString::number(fit.rms, 'f', 4).toStdString() + " pupil units.";

@@ -2,6 +2,7 @@
 #include "DefaultRegions.h"
 #include "FaceInPupilUnits.h"
 #include "FigureContext.h"
+#include "PlaneAxes.h"
 #include "PlaneDrawingPainter.h"
 #include "PlatePainter.h"
 #include "RegionCells.h"
@@ -37,7 +38,7 @@ PlaneDrawing regionDrawing(FigureContext& context) {
   }
   addFaceBehind(drawing, frontalLines(context.neutralFace(), true));
   for (const double x : {-1.0, 1.0})
-    drawing.marks.push_back({{x, 0.0}, 1.6, {QColor(), 0.5, false, QColor("#222222")}});
+    drawing.marks.push_back({{x, 0.0}, 1.6, {QColor("#222222"), 0.5, false, QColor("#ffffff")}});
   for (region = 1; region <= FacialRegions::count; ++region) {
     const Eigen::Vector2d& centre = regions.centre(region);
     drawing.labels.push_back({{centre.x(), centre.y()}, QString::number(region), 8.0, Qt::AlignCenter, {}, true});
@@ -47,6 +48,7 @@ PlaneDrawing regionDrawing(FigureContext& context) {
 
 TextTable nameTable() {
   TextTable table;
+  table.close = true;
   table.columns = {{"Region", 0.6}, {"Part of the face", 1.6}, {"Mirror", 0.6}};
   for (int region = 1; region <= FacialRegions::count; ++region) {
     const int mirror = defaultRegions().mirrored(region);
@@ -62,10 +64,13 @@ FigureDrawing drawRegions(FigureContext& context) {
   Plate plate;
   plate.columns = context.isNarrow() ? 1 : 2;
   const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
-  plate.panels = {drawingPanel("Nearest centre", regionDrawing(context)), tablePanel("Names", nameTable(), width)};
+  PlaneDrawing regions = regionDrawing(context);
+  const QRectF shown = addPlaneAxes(regions, regions.bounds(), 1.0, "pupil units", width);
+  plate.panels = {drawingPanel("Regions", regions, shown), tablePanel("Names", nameTable(), width)};
   plate.caption =
-      "Hard regions in pupil units: the nearest of 16 centres (numbers), colours only tell neighbours apart; dots: the "
-      "pupils at (-1, 0) and (1, 0).";
+      "A point belongs to the nearest of 16 centres (numbers); colours only tell neighbours apart. Circles: the pupils "
+      "at "
+      "(-1, 0) and (1, 0).";
   return context.drawn(plate);
 }
 

@@ -25,7 +25,8 @@ FigureDrawing drawSmile(FigureContext& context) {
     for (const FaceState& state : {neutral, smile}) {
       SceneStyle style;
       style.view = parseView(view);
-      const std::string heading = state.deformation.table.empty() ? "Neutral" : "Deformed";
+      const std::string face = state.deformation.table.empty() ? "Neutral" : "Deformed";
+      const std::string heading = face + (style.view.azimuth != 0.0 ? ", 45 degrees" : ", front");
       plate.panels.push_back(context.facePanel(heading, state, style, width, shape));
     }
   const bool published = smile.deformation.table == "smile";

@@ -17,7 +17,7 @@ std::string number(double value) {
 }
 
 std::string withDeviation(const DeformationTable& table, int region, int row, int i) {
-  return number(table.maps[region].coefficients(row, i)) + " ±" + number(table.deviations->at(region)(row, i));
+  return number(table.maps[region].coefficients(row, i)) + "±" + number(table.deviations->at(region)(row, i));
 }
 
 enum Columns { Published = 1, Mean = 2 };
@@ -33,8 +33,9 @@ std::vector<std::string> cellsOf(int columns, int region, int row) {
 /// The tables of one axis, side by side where both are asked for, a row for each region.
 PlatePanel coefficientPanel(int columns, int row, double width) {
   TextTable text;
-  text.size = 5.5;
-  text.columns.push_back({"", 0.4});
+  text.size = 6.0;
+  text.close = columns != (Published | Mean);  // four tables one below the other are as high as a page
+  text.columns.push_back({"", 0.3});
   const std::string letter = row ? "b" : "a";
   for (int i = 1; i <= 6 && (columns & Published); ++i) text.columns.push_back({letter + std::to_string(i), 0.8, true});
   for (int i = 1; i <= 6 && (columns & Mean); ++i)

@@ -1,0 +1,60 @@
+#include "PlaneAxes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "AxisScale.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double tick = 0.7, numbersRoom = 5.5, unitPlace = 5.4, unitRoom = 7.0;  // mm
+constexpr double numberSize = 6.0;                                                // pt
+constexpr double rounding = 1e-9;                                                 // of a step
+
+PlaneStroke axisStroke() {
+  PlaneStroke stroke;
+  stroke.width = 0.4;
+  return stroke;
+}
+
+/// The multiples of the step from `from` to `to`.
+std::vector<double> multiples(double from, double to, double step) {
+  std::vector<double> values;
+  for (double i = std::ceil(from / step - rounding); i <= std::floor(to / step + rounding); ++i)
+    values.push_back(i * step);
+  return values;
+}
+
+PlaneDrawing::Label label(const QPointF& at, const QString& text, int alignment) {
+  PlaneDrawing::Label label;
+  label.at = at;
+  label.text = text;
+  label.size = numberSize;
+  label.alignment = alignment;
+  return label;
+}
+
+}  // namespace
+
+QRectF addPlaneAxes(PlaneDrawing& drawing, const QRectF& range, double step, const QString& unit, double width) {
+  const double perMillimetre = range.width() / std::max(width - numbersRoom, 1.0);
+  const double left = range.left(), bottom = range.top(), length = tick * perMillimetre;  // y is up
+  const auto number = [&](double value) { return QString::fromStdString(tickText(value, step)); };
+  drawing.lines.push_back({segment({left, bottom}, {range.right(), bottom}), axisStroke()});
+  drawing.lines.push_back({segment({left, bottom}, {left, range.bottom()}), axisStroke()});
+  for (const double x : multiples(left, range.right(), step)) {
+    drawing.lines.push_back({segment({x, bottom}, {x, bottom - length}), axisStroke()});
+    drawing.labels.push_back(label({x, bottom - length}, number(x), Qt::AlignHCenter | Qt::AlignTop));
+  }
+  for (const double y : multiples(bottom, range.bottom(), step)) {
+    drawing.lines.push_back({segment({left, y}, {left - length, y}), axisStroke()});
+    drawing.labels.push_back(label({left - length, y}, number(y), Qt::AlignRight | Qt::AlignVCenter));
+  }
+  drawing.labels.push_back(
+      label({range.center().x(), bottom - unitPlace * perMillimetre}, "x, y (" + unit + ")", Qt::AlignCenter));
+  return range.adjusted(-numbersRoom * perMillimetre, -unitRoom * perMillimetre, 0.0, 0.0);
+}
+
+}  // namespace mien
