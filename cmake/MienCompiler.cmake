@@ -14,8 +14,10 @@ endif()
 
 find_program(MIEN_CCACHE ccache)
 if(MIEN_CCACHE)
-  set(CMAKE_C_COMPILER_LAUNCHER "${MIEN_CCACHE}")
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${MIEN_CCACHE}")
+  # Without this ccache does not keep what is compiled with precompiled headers.
+  set(launcher "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${MIEN_CCACHE}")
+  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
 endif()
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=mold MIEN_HAVE_MOLD)
@@ -37,4 +39,13 @@ endif()
 function(mien_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra
     $<$<BOOL:${MIEN_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
+
+# Two thirds of compiling is reading the same large headers (doc/decisions.md): each target reads its own once. Trees that
+# share one ccache compile faster without, as precompiled headers differ from tree to tree.
+option(MIEN_PRECOMPILE "Precompile the large headers of libraries" ON)
+function(mien_precompile target)
+  if(MIEN_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+  endif()
 endfunction()

@@ -45,7 +45,7 @@ FaceView::FaceView(FaceModel* model, QWidget* parent) : RenderView(model, parent
   addSurface();
   dress();
   const auto followMouth = [this, model] {
-    mouth_.follow(vtkPolyData::SafeDownCast(model->pipeline().curves()->GetOutputDataObject(0)));
+    mouth_.follow(vtkPolyData::SafeDownCast(model->pipeline().shownCurves()->GetOutputDataObject(0)));
   };
   connect(model, &FaceModel::updated, this, followMouth);
   followMouth();

@@ -4,6 +4,7 @@
 
 class vtkActor;
 class vtkPolyData;
+class vtkPolyDataMapper;
 class vtkRenderer;
 
 namespace mien {
@@ -17,7 +18,7 @@ class MouthActor {
   void setVisible(bool visible);
 
  private:
-  vtkNew<vtkPolyData> sack_;
+  vtkNew<vtkPolyDataMapper> mapper_;
   vtkNew<vtkActor> actor_;
 };
 

@@ -9,6 +9,7 @@
 #include "FacePipeline.h"
 #include "FaceTexture.h"
 #include "Failure.h"
+#include "MouthSack.h"
 #include "OutermostPoints.h"
 #include "Picture.h"
 #include "SmoothCurves.h"
@@ -85,6 +86,7 @@ FaceScene::FaceScene(FacePipeline& pipeline, const SceneStyle& style, const vtkS
   outwards_->SetInputConnection(pipeline.surface()->GetOutputPort());
   outwards_->Update();
   addSurface();
+  if (style.mesh != SceneStyle::Mesh::Wireframe && style.colorBy.empty()) addMouth();
   if (texture) addTexture(texture);
   if (!style.colorBy.empty()) addColors();
   if (style.curves) addCurves();
@@ -131,6 +133,17 @@ void FaceScene::addSurface() {
   renderer_->AddActor(surface_);
 }
 
+/// Else the background shows through an open mouth wherever the back of the head ends.
+void FaceScene::addMouth() {
+  mouthMapper_->SetInputData(mouthSack(nullptr));
+  mouthMapper_->ScalarVisibilityOff();
+  vtkNew<vtkActor> mouth;
+  mouth->SetMapper(mouthMapper_);
+  mouth->GetProperty()->LightingOff();
+  mouth->GetProperty()->SetColor(mouthColor[0], mouthColor[1], mouthColor[2]);
+  renderer_->AddActor(mouth);
+}
+
 /// Colours come from the photograph alone. The inside of the mouth, which it does not show, stays as it is.
 void FaceScene::addTexture(vtkImageData* image) {
   if (!style_.colorBy.empty()) throw ValueFailure("--texture and --color-by both colour the surface; give one");
@@ -159,7 +172,6 @@ void FaceScene::addCurves() {
 }
 
 void FaceScene::updateCurves() {
-  pipeline_.shownCurves()->Update();
   curveMapper_->SetInputData(smoothCurves(vtkPolyData::SafeDownCast(pipeline_.shownCurves()->GetOutputDataObject(0))));
 }
 
@@ -245,6 +257,8 @@ vtkSmartPointer<vtkPolyData> neutralSurface(FacePipeline& pipeline) {
 
 vtkSmartPointer<vtkImageData> FaceScene::render() {
   outwards_->Update();
+  pipeline_.shownCurves()->Update();
+  mouthMapper_->SetInputData(mouthSack(vtkPolyData::SafeDownCast(pipeline_.shownCurves()->GetOutputDataObject(0))));
   if (style_.curves) updateCurves();
   renderer_->ResetCameraClippingRange();
   window_->Render();

@@ -44,6 +44,7 @@ class FaceScene {
  private:
   FaceFrame frame() const;
   void addSurface();
+  void addMouth();
   void addTexture(vtkImageData* image);
   void addCurves();
   void updateCurves();
@@ -58,6 +59,7 @@ class FaceScene {
   vtkNew<vtkActor> surface_;
   vtkNew<vtkPolyDataMapper> curveMapper_;
   vtkNew<vtkActor> curves_;
+  vtkNew<vtkPolyDataMapper> mouthMapper_;
   vtkNew<vtkScalarBarActor> bar_;
   vtkNew<vtkRenderer> renderer_;
   vtkNew<vtkRenderWindow> window_;

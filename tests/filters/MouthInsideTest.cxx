@@ -54,7 +54,7 @@ TEST(MouthInside, LiesBehindTheWholeOpening) {
   for (size_t p = 1; p < inside.points.size(); ++p) {
     const double before = std::min((upper.rowwise() - inside.points[p].transpose()).rowwise().norm().minCoeff(),
                                    (lower.rowwise() - inside.points[p].transpose()).rowwise().norm().minCoeff());
-    EXPECT_LE(before, MouthInside::retreat + 1e-9) << p;
+    EXPECT_LE(before, MouthInside::retreat + MouthInside::overlap) << p;
   }
   EXPECT_LT(inside.points[0].z(), upper.col(2).maxCoeff() - 0.5 * MouthInside::depth);
 }

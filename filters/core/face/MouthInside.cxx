@@ -18,6 +18,10 @@ std::pair<int, int> samplesBetween(const MouthCorners& corners, int pointsPerCur
   return {static_cast<int>(std::floor(corners.begin / step)), static_cast<int>(std::ceil(corners.end / step))};
 }
 
+int other(int lip) {
+  return lip == FaceLayout::upperLip ? FaceLayout::lowerLip : FaceLayout::upperLip;
+}
+
 }  // namespace
 
 MouthInside::MouthInside(const FaceCurves& face) {
@@ -41,7 +45,9 @@ MouthInside::MouthInside(const FaceCurves& face) {
   points.push_back(middle + depth * inwards);
   for (int curve : {FaceLayout::upperLip, FaceLayout::lowerLip})
     for (int i = first; i <= last; ++i) {
-      points.push_back(at(curve, i) + retreat * inwards);
+      const Eigen::Vector3d outwards = at(curve, i) - at(other(curve), i);
+      const double further = std::min(overlap, 0.5 * outwards.norm());
+      points.push_back(at(curve, i) + retreat * inwards + further * outwards.stableNormalized());
       const int newest = static_cast<int>(points.size()) - 1;
       if (i > first) triangles.push_back({0, newest - 1, newest});
     }

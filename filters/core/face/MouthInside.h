@@ -13,6 +13,7 @@ namespace mien {
 struct MouthInside {
   static constexpr double depth = 30.0;    ///< mm, of the cone's point behind the lips
   static constexpr double retreat = 0.6;   ///< mm, of its edge behind the lips, which hide it
+  static constexpr double overlap = 1.5;   ///< mm, of its edge beyond the lips, which are round between samples
   static constexpr double leastGap = 0.4;  ///< mm between the lips; a mouth that is less open has no inside
 
   std::vector<Eigen::Vector3d> points;        ///< mm
