@@ -50,15 +50,15 @@ void guardInputs(CLI::App& program) {
   }
 }
 
-/// A first argument that is neither an option nor a command, which CLI11 would only call missing.
-std::string unknownCommand(const CLI::App& program, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return {};
+/// An argument that is neither an option nor a command where one belongs, which CLI11 would only call missing.
+std::string unknownCommand(const CLI::App& program, int argc, char** argv, int at = 1) {
+  if (argc <= at || argv[at][0] == '-' || program.get_require_subcommand_min() == 0) return {};
   std::string names;
   for (const CLI::App* command : program.get_subcommands(nullptr)) {
-    if (command->get_name() == argv[1]) return {};
+    if (command->get_name() == argv[at]) return unknownCommand(*command, argc, argv, at + 1);
     names += (names.empty() ? "" : ", ") + command->get_name();
   }
-  return std::string("there is no command '") + argv[1] + "'; the commands are " + names;
+  return "there is no command '" + (at > 1 ? program.get_name() + " " : "") + argv[at] + "'; the commands are " + names;
 }
 
 /// The command that the arguments name, for a hint on where its options are explained.

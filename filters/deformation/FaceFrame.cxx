@@ -6,8 +6,11 @@
 
 #include "BoundaryCurveData.h"
 #include "DefaultRegions.h"
+#include "EyeShells.h"
+#include "FaceFront.h"
 #include "FaceLandmarks.h"
 #include "FacePosture.h"
+#include "FaceTurn.h"
 #include "GridFaceSides.h"
 #include "MeshEdgeData.h"
 #include "MeshLandmarks.h"
@@ -108,6 +111,10 @@ Eigen::Vector3d unturned(const HeadRotation& turned, const Eigen::Vector3d& poin
   return turned.rotation.transpose() * (point - turned.centre) + turned.centre;
 }
 
+std::string setPupils(FaceFrame& frame) {
+  return frame.pupils.set(unturned(frame.turned, frame.places.left), unturned(frame.turned, frame.places.right));
+}
+
 std::string readPoints(vtkPointSet* data, FaceFrame& frame, const Progress& progress) {
   frame.isMesh = hasPolygons(data);
   frame.points.resize(data->GetNumberOfPoints());
@@ -166,25 +173,87 @@ std::string readSides(Reading& reading, const FacialRegions& regions, const Prog
   return fault;
 }
 
-/// Holds the eyeballs, and warns of a face that looks aside.
-std::string readEyesAndPose(Reading& reading) {
+/// Whether it is a mesh whose parts and posture are not known otherwise, as those of the PDE face are.
+bool isScan(const Reading& reading) {
+  return reading.frame.isMesh && !vtkStructuredGrid::SafeDownCast(reading.data) && !markerNames(reading.data);
+}
+
+/// Holds the eyes.
+std::string readEyes(Reading& reading) {
+  FaceFrame& frame = reading.frame;
+  if (reading.mesh)
+    for (std::size_t i = 0; i < frame.points.size(); ++i) frame.points[i].stays = reading.mesh->inEyes[i];
+  if (!isScan(reading)) return {};
+  MeshEdges edges;
+  const std::string fault = reading.mesh ? "" : readEdges(reading.data, edges);
+  if (!fault.empty()) return fault;
+  MeshVertices places(frame.points.size(), 3);
+  for (std::size_t i = 0; i < frame.points.size(); ++i)
+    places.row(i) = frame.pupils.apply(frame.points[i].position).transpose();
+  const std::vector<bool> inEyes = eyeShells(places, reading.mesh ? reading.mesh->edges : edges);
+  for (std::size_t i = 0; i < frame.points.size(); ++i) frame.points[i].stays = frame.points[i].stays || inEyes[i];
+  return {};
+}
+
+FaceLandmarks landmarksOf(const Reading& reading) {
+  FaceLandmarks landmarks;
+  for (int i = 0; i < FaceLandmarks::count; ++i)
+    landmarks.points.row(i) =
+        unturned(reading.frame.turned, reading.mesh->vertices.row(reading.mesh->numbers[i]).transpose()).transpose();
+  return landmarks;
+}
+
+std::string degrees(double radians) {
+  return roundedText(std::round(std::abs(radians) * 180.0 / M_PI));
+}
+
+/// Refuses what does not look forward by its landmarks, and turns what looks aside.
+std::string readPose(Reading& reading) {
   if (!reading.wantsLandmarks()) return {};
   const std::string fault = reading.readLandmarks();
   if (!fault.empty()) return fault;
-  FaceLandmarks landmarks;
-  for (int i = 0; i < FaceLandmarks::count; ++i)
-    landmarks.points.row(i) = reading.frame.points[reading.mesh->numbers[i]].position.transpose();
-  for (std::size_t i = 0; i < reading.frame.points.size(); ++i) reading.frame.points[i].stays = reading.mesh->inEyes[i];
+  FaceFrame& frame = reading.frame;
+  const FaceLandmarks landmarks = landmarksOf(reading);
+  if (isMirrored(landmarks))
+    return "the face is mirrored by its landmarks: its nose points backwards, or left and right are exchanged; turn "
+           "one axis of the mesh round, or give landmarks whose left is the subject's own";
+  const Eigen::Matrix3d rotation = faceRotation(landmarks);
+  if (rotation(2, 2) < -0.5)
+    return "the face looks backwards by its landmarks, " + degrees(std::acos(std::max(rotation(2, 2), -1.0))) +
+           " degrees away from +z; turn it to look along +z";
   const FacePose pose = facePose(landmarks);
-  const double yaw = pose.yaw * 180.0 / M_PI, pitch = pose.pitch * 180.0 / M_PI;
-  const std::string text = "the face looks " + roundedText(std::round(std::abs(yaw))) + " degrees to the side and " +
-                           roundedText(std::round(std::abs(pitch))) + (pitch > 0.0 ? " down" : " up") +
-                           " by its landmarks; tables are for faces that look along +z: turn it there, or say how it "
-                           "is turned with the field array HeadRotation";
-  const double largest = std::max(std::abs(yaw), std::abs(pitch));
-  if (!(largest <= refusedPose)) return text;
-  if (largest > warnedPose) reading.frame.warning = text;
-  return {};
+  const std::string text = "the face looks " + degrees(pose.yaw) + " degrees to the side and " + degrees(pose.pitch) +
+                           (pose.pitch > 0.0 ? " down" : " up") +
+                           " by its landmarks; tables are for faces that look "
+                           "along +z";
+  const double largest = std::max(std::abs(pose.yaw), std::abs(pose.pitch)) * 180.0 / M_PI;
+  if (!(largest <= refusedPose))
+    return text + ": turn it there, or say how it is turned with the field array HeadRotation";
+  if (largest <= warnedPose) return {};
+  frame.warning = text + (reading.options.turnsToFront
+                              ? ", so it was turned there for the table, and back"
+                              : ": turn it there, or say how it is turned with the field array HeadRotation");
+  if (!reading.options.turnsToFront) return {};
+  // An angle that may be the face's own leaning is not taken for a turn beside one that is.
+  frame.turned.rotation = frame.turned.rotation * faceRotation(landmarks, warnedPose * M_PI / 180.0);
+  return setPupils(frame);
+}
+
+/// Without landmarks: refuses what cannot be a face that looks forward.
+std::string judgeFront(Reading& reading) {
+  FaceFrame& frame = reading.frame;
+  if (!isScan(reading) || reading.wantsLandmarks()) return {};
+  std::vector<Eigen::Vector3d> places;
+  places.reserve(frame.points.size());
+  for (const DeformationPoint& point : frame.points) places.push_back(frame.pupils.apply(point.position));
+  const Eigen::Vector3d aside = frame.pupils.apply(unturned(frame.turned, frame.places.left)) -
+                                frame.pupils.apply(unturned(frame.turned, frame.places.right));
+  const double yaw = std::atan2(aside.z(), aside.head<2>().norm());
+  if (std::abs(yaw) > warnedPose * M_PI / 180.0)
+    frame.warning = "the face looks " + degrees(yaw) +
+                    " degrees to the side by its pupils; tables are for faces that look along +z: turn it there, or "
+                    "give its 68 landmarks";
+  return describeFront(places);
 }
 
 std::string readGivenRegions(vtkPointSet* data, FaceFrame& frame) {
@@ -203,9 +272,7 @@ std::string readPupils(Reading& reading) {
   std::string fault = describeArrays(reading.data);
   if (fault.empty()) fault = readHeadRotation(reading.data->GetFieldData(), frame.turned);
   if (fault.empty()) fault = findPupils(reading, frame.places);
-  return fault.empty()
-             ? frame.pupils.set(unturned(frame.turned, frame.places.left), unturned(frame.turned, frame.places.right))
-             : fault;
+  return fault.empty() ? setPupils(frame) : fault;
 }
 
 }  // namespace
@@ -224,10 +291,12 @@ std::string readFaceFrame(vtkPointSet* data, const FaceFrameOptions& options, co
   Reading reading{data, options, frame, {}};
   if (!goesOn(progress, 0.0)) return stopped;
   std::string fault = readPupils(reading);
+  if (fault.empty()) fault = readPose(reading);
   if (fault.empty()) fault = readPoints(data, frame, partOf(progress, 0.2, 0.5));
+  if (fault.empty()) fault = judgeFront(reading);
   if (fault.empty()) fault = describePosture(frame);
   if (fault.empty()) fault = readSides(reading, regions, partOf(progress, 0.5, 0.9));
-  if (fault.empty()) fault = readEyesAndPose(reading);
+  if (fault.empty()) fault = readEyes(reading);
   if (fault.empty() && !goesOn(progress, 1.0)) fault = stopped;
   return fault.empty() ? readGivenRegions(data, frame) : fault;
 }

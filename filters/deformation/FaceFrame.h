@@ -22,6 +22,7 @@ struct FaceFrameOptions {
   std::string leftPupilName = "pupil_left",
               rightPupilName = "pupil_right";  ///< points of these names in the point array `marker`
   std::string landmarkFile;                    ///< CSV of the 68 landmarks (LandmarkTable.h)
+  bool turnsToFront = true;  ///< whether a mesh that looks aside by its landmarks is read as if it looked along +z
 };
 
 /// A point set as a face: pupils, head rotation, and where its points lie.
@@ -42,10 +43,11 @@ MIENDEFORMATION_EXPORT std::string readPupils(vtkPointSet* data, const FaceFrame
 /// readPupils(), and for every point its place in the head's frame and its sides: point arrays `LipSide` and `LidSide`,
 /// else by u on a PDE face (a structured grid with `PatchId`), by distance along the surface on a mesh with landmarks,
 /// or by the number of points named landmarkNN in the point array `marker`. Regions are those of the point array
-/// `region` (1 .. 16, 0: by place). Eyeballs of a mesh with landmarks stay where they are. A mesh whose landmarks look
-/// more than 10 degrees away from +z gets a warning, more than 45 is refused, and so is one whose nose lies above its
-/// eyes. When `progress` says stop, what is
-/// returned is a sentence too.
+/// `region` (1 .. 16, 0: by place). Eyes of a mesh stay where they are: what EyeShells.h finds, and with landmarks
+/// EyePupils.h. A mesh whose landmarks look more than 10 degrees away from +z is turned to look there (`turned`) with a
+/// warning; more than 45, backwards and mirrored ones are refused. One without landmarks is judged by its pupils
+/// (FaceFront.h, FacePosture.h), and gets a warning when these look aside. When `progress` says stop, what is returned
+/// is a sentence too.
 MIENDEFORMATION_EXPORT std::string readFaceFrame(vtkPointSet* data, const FaceFrameOptions& options,
                                                  const FacialRegions& regions, FaceFrame& frame,
                                                  const Progress& progress = {});

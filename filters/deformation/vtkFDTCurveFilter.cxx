@@ -8,6 +8,7 @@
 #include "FaceLayout.h"
 #include "GridSides.h"
 #include "MouthCorners.h"
+#include "MovedCurveOrder.h"
 #include "TableDeformation.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -79,8 +80,25 @@ struct CurveRows {
   double mouthBegin = 0.0, mouthEnd = 0.0;
 };
 
+/// Displacements in the head's own frame that leave the curves in order down the face.
+std::vector<Eigen::Vector3d> orderedMoves(const CurveRows& rows, const std::vector<Eigen::Vector2d>& moves,
+                                          MovedCurveOrder* order) {
+  const ClosedCurves& before = rows.face.curves;
+  ClosedCurves moved = before;
+  for (std::size_t i = 0; i < moves.size(); ++i) moved.points.row(i).head<2>() += moves[i].transpose();
+  const ClosedCurves given = moved;
+  *order = MovedCurveOrder(before, moved);
+  std::vector<Eigen::Vector3d> result;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    result.emplace_back(moves[i].x(), moves[i].y(), 0.0);
+    if (moved.points.row(i) != given.points.row(i))
+      result.back() = (moved.points.row(i) - before.points.row(i)).transpose();
+  }
+  return result;
+}
+
 /// Moves the points of the output, which are stored curve after curve as readFaceCurves() has them.
-void movePoints(vtkPolyData* output, const CurveRows& rows, const std::vector<Eigen::Vector2d>& moves) {
+void movePoints(vtkPolyData* output, const CurveRows& rows, const std::vector<Eigen::Vector3d>& moves) {
   vtkDataArray* before = output->GetPointData()->GetArray("Displacement");
   vtkNew<vtkDoubleArray> displacement;
   displacement->SetName("Displacement");
@@ -90,7 +108,7 @@ void movePoints(vtkPolyData* output, const CurveRows& rows, const std::vector<Ei
   points->DeepCopy(output->GetPoints());
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const auto id = static_cast<vtkIdType>(i);
-    const Eigen::Vector3d move = rows.turned.rotation.leftCols<2>() * moves[i];
+    const Eigen::Vector3d move = rows.turned.rotation * moves[i];
     Eigen::Vector3d place, sum = Eigen::Vector3d::Zero();
     points->GetPoint(id, place.data());
     points->SetPoint(id, (place + move).eval().data());
@@ -132,12 +150,22 @@ int vtkFDTCurveFilter::RequestData(vtkInformation*, vtkInformationVector** input
   deformation.displacements(table, mien::fittedDisplacement(table, regions), this->Strength, 0, moves.size(),
                             moves.data());
   output->ShallowCopy(input);
-  movePoints(output, rows, moves);
+  mien::MovedCurveOrder order;
+  movePoints(output, rows, orderedMoves(rows, moves, &order));
+  this->Pushed = order.pushed;
+  this->KeptShare = order.keptShare;
+  this->Crossings = order.crossings;
+  if (order.keptShare < 1.0)
+    vtkWarningMacro("the curves would cross: " << std::lround(100.0 * order.keptShare)
+                                               << " % of the table's movement were kept");
   return 1;
 }
 
 void vtkFDTCurveFilter::PrintSelf(ostream& os, vtkIndent indent) {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Strength: " << this->Strength << "\n";
+  os << indent << "Pushed: " << this->Pushed << "\n";
+  os << indent << "Crossings: " << this->Crossings << "\n";
+  os << indent << "KeptShare: " << this->KeptShare << "\n";
   os << indent << "Smooth: " << (this->Smooth ? "on" : "off") << "\n";
 }

@@ -8,7 +8,8 @@
  *
  * Lips and lids are told apart by their curves: above C22 is the upper side, from C22' on the lower one; C9 is the
  * upper lid and C10 the lower. Equation and limits as in vtkFDTDeformationFilter; the curves' normals are those of
- * rings around the head. Errors: curves without pupils, a table that is none.
+ * rings around the head. Curves that the table would make cross are put in order (MovedCurveOrder.h). Errors: curves
+ * without pupils, a table that is none.
  * @sa vtkFDTDeformationFilter vtkFAPAnimationFilter
  */
 #ifndef vtkFDTCurveFilter_h
@@ -39,6 +40,15 @@ class MIENDEFORMATION_EXPORT vtkFDTCurveFilter : public vtkPolyDataAlgorithm {
   vtkBooleanMacro(Smooth, bool);
   ///@}
 
+  ///@{
+  /** The furthest that a point gave way along y so that no curves cross at their points, mm; the share of the movement
+   * that was kept, 1 unless giving way was not enough; and the places between points (of eight) where a curve still
+   * lies more than 0.1 mm below the next. Of the last update. */
+  vtkGetMacro(Pushed, double);
+  vtkGetMacro(KeptShare, double);
+  vtkGetMacro(Crossings, int);
+  ///@}
+
  protected:
   vtkFDTCurveFilter();
   int FillInputPortInformation(int port, vtkInformation* info) override;
@@ -50,6 +60,8 @@ class MIENDEFORMATION_EXPORT vtkFDTCurveFilter : public vtkPolyDataAlgorithm {
 
   double Strength = 1.0;
   bool Smooth = true;
+  double Pushed = 0.0, KeptShare = 1.0;
+  int Crossings = 0;
 };
 
 #endif

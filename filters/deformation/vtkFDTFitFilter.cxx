@@ -86,7 +86,10 @@ int vtkFDTFitFilter::RequestDataObject(vtkInformation*, vtkInformationVector**, 
 
 int vtkFDTFitFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
   vtkPointSet *neutral = vtkPointSet::GetData(inputs[0]), *expression = vtkPointSet::GetData(inputs[1]);
-  mien::FaceFrameOptions options = this->GetFrameOptions(), others = options;
+  mien::FaceFrameOptions options = this->GetFrameOptions();
+  // The chin's way down turns the pose that landmarks tell: two states must not be turned by different poses.
+  options.turnsToFront = false;
+  mien::FaceFrameOptions others = options;
   others.leftPupil = Eigen::Map<const Eigen::Vector3d>(this->OtherLeftPupil);
   others.rightPupil = Eigen::Map<const Eigen::Vector3d>(this->OtherRightPupil);
   mien::FacialRegions regions;

@@ -10,8 +10,8 @@ namespace mien {
 std::string readTextFile(const std::string& name, std::size_t limit, std::string& text, const std::string& what) {
   std::error_code ignored;
   vtksys::ifstream file(name.c_str(), std::ios::binary);
-  if (!file || std::filesystem::is_directory(name, ignored))
-    return " it cannot be opened; give a " + what + " that exists and may be read";
+  if (std::filesystem::is_directory(name, ignored)) return " it is a folder; give a " + what;
+  if (!file) return " it cannot be opened; give a " + what + " that exists and may be read";
   text.clear();
   readBlocks(file, limit, text);
   if (file.bad()) return " reading it failed; check the medium it is on";

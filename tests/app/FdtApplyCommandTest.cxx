@@ -139,6 +139,44 @@ TEST(FdtApplyCommand, HeadsOfEveryFormatTakePupilsByPlace) {
   }
 }
 
+TEST(FdtApplyCommand, PolygonsAndWhatElseTheFileSaysAreKept) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(runMien({"surface", "-o", folder.file("a.ply"), "--resolution", "40x30"}).exitCode, 0);
+  ASSERT_EQ(runMien({"surface", "-o", folder.file("a.obj"), "--resolution", "40x30"}).exitCode, 0);
+  std::string text = readTextFile(folder.file("a.obj"));
+  const std::size_t quad = text.find("\nf ");
+  text.insert(quad + 1, "vt 0.25 0.5\ng skin\nusemtl rough\n");
+  writeTextFile(folder.file("b.obj"), text);
+  for (const char* name : {"a.ply", "b.obj"}) {
+    const std::string moved = folder.file(std::string("moved_") + name);
+    const Outcome outcome =
+        runMien({"fdt", "apply", "joy", folder.file(name), "--pupils", "31,37,83,-31,37,83", "-o", moved});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    const std::string result = readTextFile(moved), source = readTextFile(folder.file(name));
+    const auto faces = [](const std::string& file) { return file.substr(file.find("element face"), 25); };
+    if (std::string(name) == "a.ply") EXPECT_EQ(faces(result), faces(source)) << "quads are no triangles";
+    if (std::string(name) == "b.obj")
+      EXPECT_EQ(result.substr(result.find("vt 0.25")), source.substr(source.find("vt 0.25")));
+    EXPECT_NE(result, source);
+  }
+  const std::string off = folder.file("a.off");
+  ASSERT_EQ(
+      runMien({"fdt", "apply", "joy", folder.file("a.ply"), "--pupils", "31,37,83,-31,37,83", "-o", off}).exitCode, 0);
+  EXPECT_EQ(runMien({"compare", off, folder.file("moved_a.ply"), "--json"}).exitCode, 0);
+}
+
+TEST(FdtApplyCommand, CurvesMoveWithoutCrossing) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(runMien({"curves", "-o", folder.file("c.vtp")}).exitCode, 0);
+  for (const char* table : {"joy", "sadness", "surprise", "smile"}) {
+    const Outcome outcome = runMien({"fdt", "apply", table, folder.file("c.vtp"), "-o", folder.file("d.vtp")});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "") << "no landmarks are wanted, and all the movement is kept";
+    EXPECT_EQ(runMien({"info", folder.file("d.vtp")}).exitCode, 0) << table;
+    EXPECT_EQ(runMien({"curves", "--fdt", table, "-o", folder.file("e.mienz")}).exitCode, 0) << table;
+  }
+}
+
 TEST(FdtApplyCommand, ErrorsSayWhatToDoAndLeaveNothing) {
   const TemporaryFolder folder;
   writeTextFile(folder.file("a.csv"), "marker,x,y\npupil_left,30,0\nlip,0,-60\n");

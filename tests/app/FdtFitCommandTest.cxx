@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "CommaText.h"
@@ -118,6 +119,24 @@ TEST(FdtFitCommand, PupilsHaveNamesOrPlaces) {
   for (const Fit* fit : {&named, &placed}) EXPECT_LT(tableDifference(fit->table(), *mien::namedTable("joy")), 1e-9);
   EXPECT_EQ(Fit(text, {"--pupils", "L"}).outcome.exitCode, 2);
   EXPECT_EQ(Fit(text, {"--pupils", "1,2,3,x"}).outcome.exitCode, 2);
+}
+
+TEST(FdtFitCommand, AMistakenMarkerIsToldWithItsLineAndFitted) {
+  const TemporaryFolder folder;
+  const SampleRecording joy(*mien::namedTable("joy"));
+  std::string text = joy.recording();
+  const std::string name = joy.markerIn(10, 3);
+  const std::size_t begin = text.find("\n" + name + ",") + 1, end = text.find('\n', begin);
+  std::string row = text.substr(begin, end - begin);
+  const std::size_t depth = row.rfind(','), y = row.rfind(',', depth - 1);
+  row.replace(y + 1, depth - y - 1, std::to_string(std::stod(row.substr(y + 1)) + 33.0));
+  text.replace(begin, end - begin, row);
+  writeTextFile(folder.file("r.csv"), text);
+  const Outcome outcome = runMien({"fdt", "fit", folder.file("r.csv"), "--json"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  const std::string line = std::to_string(1 + std::count(text.begin(), text.begin() + begin, '\n'));
+  EXPECT_NE(outcome.errors.find(":" + line + ": marker " + name + " moves "), std::string::npos) << outcome.errors;
+  EXPECT_EQ(nlohmann::json::parse(outcome.output)["suspects"], std::vector<std::string>{name});
 }
 
 TEST(FdtFitCommand, SparseRegionsAreNamedAndStrictRefusesThem) {

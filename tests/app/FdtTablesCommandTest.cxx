@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "CsvRows.h"
+#include "MarkerTable.h"
 #include "NamedTables.h"
 #include "PackedTable.h"
 #include "Program.h"
@@ -46,6 +48,75 @@ TEST(FdtMeanCommand, AveragesTablesAndRecordings) {
       const double sd = std::sqrt(((a - m) * (a - m) + (b - m) * (b - m) + (c - m) * (c - m)) / 2.0);
       EXPECT_NEAR(table.deviations->at(i)(k / 6, k % 6), sd, 1e-9);
     }
+}
+
+TEST(FdtMeanCommand, RegionsWithoutMarkersAreLeftOutAndCounted) {
+  const TemporaryFolder folder;
+  const std::string joy = SampleRecording(*mien::namedTable("joy")).recording();
+  const mien::FacialRegions regions = regionMap();
+  mien::MarkerTable markers;
+  ASSERT_EQ(markers.parse(joy), "");
+  std::string partly, line;
+  std::istringstream lines(joy);
+  for (int number = 1; std::getline(lines, line); ++number) {
+    bool forehead = false;
+    for (const mien::Marker& marker : markers.markers)
+      forehead =
+          forehead || (marker.line == number && regions.nearest(markers.neutral.apply(marker.neutral).head<2>()) <= 2);
+    if (!forehead) partly += line + "\n";
+  }
+  writeTextFile(folder.file("whole.csv"), joy);
+  writeTextFile(folder.file("partly.csv"), partly);
+  const Outcome outcome =
+      run({"mean", folder.file("whole.csv"), folder.file("partly.csv"), "-o", folder.file("m.csv"), "--json"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("whose means are those of the others (n): 1 (1), 2 (1)"), std::string::npos);
+  const mien::DeformationTable mean = tableFrom(folder.file("m.csv"));
+  EXPECT_LT(tableDifference(mean, *mien::namedTable("joy")), 1e-9) << "the forehead moves as in the one that shows it";
+  EXPECT_EQ(mean.counts->at(0), 1);
+  EXPECT_EQ(mean.counts->at(2), 2);
+  const Outcome readable =
+      run({"mean", folder.file("partly.csv"), folder.file("partly.csv"), "-o", folder.file("n.csv")});
+  EXPECT_EQ(readable.exitCode, 0) << readable.errors;
+  EXPECT_EQ(tableFrom(folder.file("n.csv")).unknownRegions(), (std::vector<int>{1, 2}));
+  const Outcome shown = run({"show", folder.file("n.csv")});
+  EXPECT_NE(shown.output.find("regions 1, 2 are not known"), std::string::npos) << shown.output;
+  const Outcome checked = run({"check", folder.file("partly.csv"), "--against", "joy", "--json"});
+  EXPECT_EQ(json::parse(checked.output)["coefficients"], 14 * 12);
+  ASSERT_EQ(run({"pack", folder.file("n.csv"), "-o", folder.file("n.fdt")}).exitCode, 0);
+  const Outcome told = runMien({"info", folder.file("n.fdt"), "--json"});
+  EXPECT_EQ(json::parse(told.output)["table"]["regions_not_known"], (std::vector<int>{1, 2})) << told.errors;
+}
+
+TEST(FdtTables, WhatIsNoTableIsCalledByItsName) {
+  const TemporaryFolder folder;
+  const std::string recording = folder.file("r.csv"), out = folder.file("t.csv");
+  writeTextFile(recording, SampleRecording(*mien::namedTable("joy")).recording());
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"mirror", recording, "-o", out},
+                                                {"blend", recording, "-o", out},
+                                                {"classify", "joy", "--against", recording},
+                                                {"check", "joy", "--against", recording}}) {
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exitCode, 1) << words[0];
+    EXPECT_NE(outcome.errors.find("this is a recording of markers"), std::string::npos) << outcome.errors;
+  }
+  EXPECT_NE(run({"show", folder.file(".")}).errors.find("it is a folder"), std::string::npos);
+  const Outcome unknown = run({"frob"});
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_NE(unknown.errors.find("there is no command 'fdt frob'; the commands are fit, "), std::string::npos);
+  EXPECT_NE(run({"classify", "joy", "--against", "joy", "joy"}).errors.find("joy twice"), std::string::npos);
+  EXPECT_EQ(json::parse(runMien({"info", recording, "--json"}).output)["table"]["kind"],
+            "recording of markers before and after");
+}
+
+TEST(FdtClassifyCommand, SeveralInputsGiveARowEach) {
+  const Outcome outcome = run({"classify", "joy", "fear", "surprise", "--json"});
+  ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  const json about = json::parse(outcome.output);
+  ASSERT_EQ(about.size(), 3u);
+  EXPECT_EQ(about[0]["expression"], "joy");
+  EXPECT_EQ(about[2]["expression"], "surprise");
+  EXPECT_NE(run({"classify", "joy", "fear"}).output.find("second_distance"), std::string::npos);
 }
 
 TEST(FdtMeanCommand, ReproducesTheMeanTables) {
@@ -181,7 +252,7 @@ TEST(FdtTables, CoefficientsBeyondTheLimitAreNeitherReadNorWritten) {
   writeTextFile(folder.file("r.csv"), markers);
   const Outcome fitted = run({"fit", folder.file("r.csv"), "-o", folder.file("fit.csv")});
   EXPECT_EQ(fitted.exitCode, 1);
-  EXPECT_NE(fitted.errors.find("fit.csv is not written: region 16"), std::string::npos) << fitted.errors;
+  EXPECT_NE(fitted.errors.find("region 16 has a coefficient beyond"), std::string::npos) << fitted.errors;
   EXPECT_EQ(entriesIn(folder.file("")), 5);
 }
 

@@ -170,7 +170,7 @@ TEST(SurfaceCommand, UnknownEndingsAndPlacesThatCannotBeWrittenLeaveNothing) {
   const TemporaryFolder folder;
   const Outcome ending = runMien({"surface", "-o", folder.file("face.doc")});
   EXPECT_EQ(ending.exitCode, 2);
-  EXPECT_NE(ending.errors.find(".vts, .vtp, .ply, .obj, .stl, .csv"), std::string::npos) << ending.errors;
+  EXPECT_NE(ending.errors.find(".vts, .vtp, .ply, .obj, .stl, .off, .csv"), std::string::npos) << ending.errors;
   EXPECT_EQ(runMien({"surface", "-o", folder.file("none/face.vtp")}).exitCode, 1);
   std::filesystem::create_directory(folder.file("folder.vtp"));
   EXPECT_EQ(runMien({"surface", "-o", folder.file("folder.vtp")}).exitCode, 1);

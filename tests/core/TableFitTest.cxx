@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "RegionMap.h"
+#include "SampleOutliers.h"
 #include "TableFit.h"
 
 using namespace mien;
@@ -102,4 +103,42 @@ TEST(TableFit, LipLandmarksBelongToTheirLip) {
     markers.markers.push_back(marker);
   }
   EXPECT_EQ(samplesOf(markers, regions).regions, (std::vector<int>{12, 13, 12}));
+}
+
+TEST(TableFit, RegionsWithoutPointsAreNotKnown) {
+  const FacialRegions regions = regionMap();
+  TableSamples samples = samplesOf(gridMarkers(movement(0, 1, 0, 0), movement(0, 1, 0, 0)), regions);
+  TableFit whole, without;
+  ASSERT_EQ(whole.fit(samples), "");
+  EXPECT_FALSE(whole.table.counts);
+  for (int& region : samples.regions) region = region == 1 ? 4 : region == 2 ? 5 : region;
+  ASSERT_EQ(without.fit(samples, {false, true}), "");
+  EXPECT_EQ(without.table.unknownRegions(), (std::vector<int>{1, 2}));
+}
+
+TEST(TableFit, WhatNoFaceReachesIsRefusedAsAMistakeOfUnits) {
+  TableSamples samples = samplesOf(gridMarkers(movement(0, 1, 0, 0), movement(0, 1, 0, 0)), regionMap());
+  samples.after.row(7).x() += 4.5;
+  TableFit fit;
+  EXPECT_NE(fit.fit(samples).find("further than any face reaches; the pupils and the points"), std::string::npos);
+  samples.after.row(7).x() -= 1.0;
+  EXPECT_EQ(fit.fit(samples), "");
+  samples.after *= 1000.0;
+  EXPECT_NE(fit.fit(samples).find("in one unit"), std::string::npos);
+}
+
+TEST(SampleOutliers, AMistakenMarkerIsFoundAndAnExpressionIsNone) {
+  const TableSamples good = samplesOf(gridMarkers(movement(0, 1, 0, 0), movement(0, 1, 0, 0)), regionMap());
+  EXPECT_TRUE(sampleOutliers(good).empty());
+  EXPECT_TRUE(sampleOutliers(TableSamples()).empty());
+  for (int row = 0; row < int(good.regions.size()); row += 9) {
+    TableSamples mistaken = good;
+    mistaken.after.row(row).y() += 0.5;
+    const std::vector<SampleOutlier> found = sampleOutliers(mistaken);
+    ASSERT_EQ(found.size(), 1u) << row;
+    EXPECT_EQ(found[0].sample, row);
+    EXPECT_NEAR(found[0].difference, 0.5, 0.1);
+    mistaken.after.row(row).y() -= 0.25;
+    EXPECT_TRUE(sampleOutliers(mistaken).empty()) << "a small difference may be a face's own";
+  }
 }

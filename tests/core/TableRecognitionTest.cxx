@@ -48,6 +48,26 @@ TEST(TableRecognition, IntensityAndHeadMovementDoNotMatter) {
   EXPECT_LT(scores[0].distance, 0.01);
 }
 
+TEST(TableRecognition, RegionsThatAreNotKnownDoNotCount) {
+  const FacialRegions regions = regionMap();
+  const std::vector<DeformationTable> means = {expression(0.1, 0.3), expression(0.0, 0.3), expression(0.1, 0.0)};
+  DeformationTable shown = means[0];
+  shown.counts.emplace().fill(1);
+  for (const int region : {1, 2, 4, 5}) {
+    shown.counts->at(region - 1) = 0;
+    shown.maps[region - 1] = QuadraticMap();
+  }
+  std::vector<RecognitionScore> scores;
+  ASSERT_EQ(recognise(shown, regions, means, scores), "");
+  EXPECT_NEAR(scores[0].distance, 0.0, 1e-14);
+  EXPECT_NEAR(scores[1].distance, 0.0, 1e-14) << "the brows, which tell the two apart, were not seen";
+  EXPECT_EQ(scores[2].expression, 2);
+  EXPECT_EQ(scores[0].regions[0], 0.0);
+  shown.counts->fill(0);
+  EXPECT_NE(recognise(shown, regions, means, scores).find("no points"), std::string::npos);
+  EXPECT_NE(recognise(means[0], regions, {shown}, scores).find("no region"), std::string::npos);
+}
+
 TEST(TableRecognition, SaysWhatIsMissing) {
   std::vector<RecognitionScore> scores;
   EXPECT_NE(recognise(DeformationTable(), regionMap(), {}, scores).find("no table"), std::string::npos);

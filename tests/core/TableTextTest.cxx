@@ -48,6 +48,26 @@ TEST(TableText, WhatIsWrittenIsReadBackExactly) {
   }
 }
 
+TEST(TableText, NumbersOfRecordingsAreKeptAndFilesWithoutThemKnowEveryRegion) {
+  DeformationTable table = sample(0.2), read;
+  EXPECT_EQ(writeTable(table).find(",n"), std::string::npos);
+  ASSERT_EQ(parseTable(writeTable(table), read), "");
+  EXPECT_TRUE(read.unknownRegions().empty());
+  table.counts.emplace().fill(12);
+  table.counts->at(3) = 0;
+  ASSERT_EQ(parseTable(writeTable(table), read), "");
+  EXPECT_EQ(read.counts, table.counts);
+  EXPECT_EQ(read.unknownRegions(), std::vector<int>{4});
+  for (const char* wrong : {"-1", "0.5", "", "9999999"})
+    expectFault(replaced(writeTable(table), ",0,0.1\n", std::string(",") + wrong + ",0.1\n"), "5: ", "column n");
+}
+
+TEST(TableText, ZerosHaveNoSign) {
+  DeformationTable table;
+  for (QuadraticMap& map : table.maps) map = map.mirrored();
+  EXPECT_EQ(writeTable(table).find("-0"), std::string::npos);
+}
+
 TEST(TableText, NamesTheLineAtFault) {
   const std::string good = writeTable(DeformationTable());
   const std::string row = "5,0,0,0,1,0,0,0,0,0,0,1,0\n";

@@ -17,12 +17,31 @@ std::string DeformationTable::describeExcess() const {
              : "its largest displacement is beyond 100 pupil units, which no face reaches";
 }
 
+std::vector<int> DeformationTable::unknownRegions() const {
+  std::vector<int> unknown;
+  for (int region = 1; region <= regionCount; ++region)
+    if (!this->knows(region)) unknown.push_back(region);
+  return unknown;
+}
+
+void DeformationTable::keepKnown(const std::vector<const DeformationTable*>& parts) {
+  const bool complete =
+      std::all_of(parts.begin(), parts.end(), [](const auto* part) { return part->unknownRegions().empty(); });
+  counts.reset();
+  if (complete) return;
+  counts.emplace();
+  for (int region = 1; region <= regionCount; ++region)
+    counts->at(region - 1) = static_cast<int>(
+        std::count_if(parts.begin(), parts.end(), [&](const auto* part) { return part->knows(region); }));
+}
+
 DeformationTable DeformationTable::blended(const DeformationTable& other, double fraction) const {
   DeformationTable result;
   for (int i = 0; i < regionCount; ++i)
     result.maps[i].coefficients = (1.0 - fraction) * maps[i].coefficients + fraction * other.maps[i].coefficients;
   const bool known = largestDisplacement > 0.0 && other.largestDisplacement > 0.0;
   result.largestDisplacement = known ? std::max(largestDisplacement, other.largestDisplacement) : 0.0;
+  result.keepKnown({this, &other});
   return result;
 }
 
@@ -31,13 +50,16 @@ DeformationTable DeformationTable::weighted(const std::vector<std::pair<Deformat
   DeformationTable result;
   double largest = 0.0;
   bool known = true;
+  std::vector<const DeformationTable*> parts;
   for (const auto& [table, weight] : tables) {
+    parts.push_back(&table);
     for (int i = 0; i < regionCount; ++i)
       result.maps[i].coefficients += weight * (table.maps[i].coefficients - QuadraticMap::identity());
     largest += std::abs(weight) * table.largestDisplacement;
     known = known && table.largestDisplacement > 0.0;
   }
   result.largestDisplacement = known ? largest : 0.0;
+  result.keepKnown(parts);
   return result;
 }
 

@@ -161,6 +161,7 @@ DeformationTable FacialRegions::mirrored(const DeformationTable& table) const {
     const int other = mirrored_[i] - 1;
     result.maps[i] = table.maps[other].mirrored();
     if (table.deviations) result.deviations->at(i) = table.deviations->at(other);
+    if (table.counts) result.counts->at(i) = table.counts->at(other);
   }
   return result;
 }

@@ -15,7 +15,7 @@ namespace {
 using Coefficients = QuadraticMap::Coefficients;
 constexpr int regionCount = DeformationTable::regionCount;
 constexpr std::size_t headerBytes = 8 + 4 * sizeof(float);
-constexpr char version = 2, withoutChecksum = 1;
+constexpr char withUnknown = 3, version = 2, withoutChecksum = 1;
 constexpr double largestNumber = 1e6;  // that a header may hold
 
 // The centres of version 1; a later region map must not change what a file means.
@@ -99,11 +99,11 @@ float floatAt(const std::string& bytes, std::size_t at) {
 
 std::string describeHeaderFault(const std::string& bytes) {
   if (!isPackedTable(bytes) || bytes.size() < headerBytes) return "it is no packed facial deformation table";
-  if (bytes[4] != version && bytes[4] != withoutChecksum)
-    return "its version is " + std::to_string(int(bytes[4])) + "; this program knows versions 1 and 2";
+  if (bytes[4] != withUnknown && bytes[4] != version && bytes[4] != withoutChecksum)
+    return "its version is " + std::to_string(int(bytes[4])) + "; this program knows versions 1 to 3";
   if (bytes[5] != 8 && bytes[5] != 16)
     return "it has " + std::to_string(int(bytes[5])) + " bits a coefficient; there are 8 and 16";
-  if (bytes[6] || bytes[7]) return "bytes 6 and 7 are not 0; it is damaged";
+  if (bytes[4] != withUnknown && (bytes[6] || bytes[7])) return "bytes 6 and 7 are not 0; it is damaged";
   const std::size_t checked = headerBytes + 12 * regionCount * (bytes[5] / 8);
   const std::size_t expected = checked + (bytes[4] == withoutChecksum ? 0 : sizeof(std::uint32_t));
   if (bytes.size() != expected)
@@ -125,7 +125,10 @@ std::string packTable(const DeformationTable& table, int bits) {
   const Local local(table);
   const std::array<float, 3> steps = local.steps(bits);
   std::string bytes = "MFDT";
-  bytes += {version, static_cast<char>(bits), 0, 0};
+  std::uint32_t unknown = 0;
+  for (const int region : table.unknownRegions()) unknown |= 1u << (region - 1);
+  bytes += {unknown ? withUnknown : version, static_cast<char>(bits), static_cast<char>(unknown & 0xff),
+            static_cast<char>(unknown >> 8)};
   appendFloat(bytes, static_cast<float>(table.largestDisplacement));
   for (const float step : steps) appendFloat(bytes, step);
   for (const Coefficients& region : local.coefficients)
@@ -158,6 +161,10 @@ std::string unpackTable(const std::string& bytes, DeformationTable& table) {
   const int size = bytes[5] / 8;
   DeformationTable result;
   result.largestDisplacement = floatAt(bytes, 8);
+  if (const std::uint32_t unknown = wordAt(bytes, 6, 2)) {
+    result.counts.emplace();
+    for (int i = 0; i < regionCount; ++i) result.counts->at(i) = !(unknown >> i & 1u);
+  }
   std::size_t at = headerBytes;
   for (int i = 0; i < regionCount; ++i) {
     Coefficients local;

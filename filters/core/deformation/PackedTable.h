@@ -9,9 +9,10 @@ namespace mien {
 /// A table in fixed point: 220 bytes at 8 bits a coefficient, 412 at 16, against 1,536 as doubles. Deviations are left
 /// out.
 ///
-/// Version 2, little endian: the bytes `MFDT`, version (2), bits (8 or 16), two bytes 0, then as 32-bit floats the
-/// largest fitted displacement (0: not known) and the steps of the quadratic, linear and constant coefficients; then
-/// region by region the integers of x' - x (x^2, xy, y^2, x, y, 1) and y' - y about the region's centre in
+/// Version 2, little endian: the bytes `MFDT`, version (2), bits (8 or 16), two bytes 0 (of version 3, written where it
+/// has any: a bit for each region, the first the lowest, whose map is not known), then as 32-bit floats the largest
+/// fitted displacement (0: not known) and the steps of the quadratic, linear and constant coefficients; then region by
+/// region the integers of x' - x (x^2, xy, y^2, x, y, 1) and y' - y about the region's centre in
 /// data/deformation/regions.json, version 1. About its centre a region's coefficients are small, and so are the steps.
 /// Last the CRC-32 of all bytes before it, which version 1 has not. `bits` is 8 or 16; the table can be packed
 /// (describePacking).

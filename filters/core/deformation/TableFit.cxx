@@ -4,10 +4,15 @@
 #include <cmath>
 
 #include "FaceSides.h"
+#include "NumberText.h"
 
 namespace mien {
 
 namespace {
+
+constexpr double largestMovement = 4.0;  // of a point, pupil units; a jaw drops by two
+constexpr const char* mistakenUnits =
+    "; the pupils and the points of both states must be in one unit, and the points the same ones";
 
 std::string listed(const std::vector<int>& regions) {
   std::string text = regions.size() == 1 ? "region " : "regions ";
@@ -110,7 +115,16 @@ std::string TableFit::fit(const TableSamples& samples, const FitOptions& options
     result.table.largestDisplacement = std::max(result.table.largestDisplacement, region.largestDisplacement);
     squares += region.points * region.rms * region.rms;
   }
+  if (!result.emptyRegions().empty()) {
+    result.table.counts.emplace();
+    for (int i = 0; i < FacialRegions::count; ++i) result.table.counts->at(i) = result.regions[i].points > 0;
+  }
   result.rms = std::sqrt(squares / double(samples.regions.size()));
+  const std::string excess = result.table.describeExcess();
+  if (!excess.empty()) return excess + mistakenUnits;
+  if (result.table.largestDisplacement > largestMovement)
+    return "a point moves by " + roundedText(result.table.largestDisplacement) +
+           " pupil units, further than any face reaches" + mistakenUnits;
   if (options.strict && !result.sparseRegions().empty()) return result.warning();
   *this = result;
   return {};

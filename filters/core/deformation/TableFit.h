@@ -23,8 +23,9 @@ TableSamples samplesOf(const MarkerTable& markers, const FacialRegions& regions)
 
 /// What a fit asks of its points.
 struct FitOptions {
-  bool strict = false;      ///< refuse regions with fewer than six independent points
-  bool allowEmpty = false;  ///< leave regions without points the identity, as of the 68 landmarks the forehead's
+  bool strict = false;  ///< refuse regions with fewer than six independent points
+  bool allowEmpty =
+      false;  ///< leave regions without points unknown (the identity), as of the 68 landmarks the forehead's
 };
 
 /// A table fitted to one recording.
@@ -38,7 +39,8 @@ struct TableFit {
   std::vector<int> emptyRegions() const;   ///< regions without points
   std::string warning() const;             ///< one sentence that names the empty and the sparse regions, or nothing
 
-  /// @return nothing, or one sentence that names the regions without points, or (strict) the sparse ones
+  /// @return nothing, or one sentence that names the regions without points, (strict) the sparse ones, or a
+  /// map or movement that no face reaches
   std::string fit(const TableSamples& samples, const FitOptions& options = {});
 };
 

@@ -65,7 +65,7 @@ TableSamples samplesOf(const DeformationTable& table, const FacialRegions& regio
   TableSamples samples;
   const int most = static_cast<int>(reach / step);
   for (int region = 1; region <= FacialRegions::count; ++region)
-    for (int x = -most; x <= most; ++x)
+    for (int x = table.knows(region) ? -most : most + 1; x <= most; ++x)
       for (int y = -most; y <= most; ++y) {
         if (x * x + y * y > most * most) continue;
         points.push_back(regions.centre(region) + step * Eigen::Vector2d(x, y));
@@ -77,12 +77,32 @@ TableSamples samplesOf(const DeformationTable& table, const FacialRegions& regio
   return samples;
 }
 
+/// The points in regions that all tables know, so that each is compared over the same ones.
+TableSamples knownTo(const std::vector<DeformationTable>& tables, const TableSamples& samples) {
+  std::vector<int> rows;
+  for (std::size_t i = 0; i < samples.regions.size(); ++i)
+    if (std::all_of(tables.begin(), tables.end(), [&](const auto& table) { return table.knows(samples.regions[i]); }))
+      rows.push_back(static_cast<int>(i));
+  TableSamples known;
+  known.before.resize(rows.size(), 2);
+  known.after.resize(rows.size(), 2);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    known.before.row(i) = samples.before.row(rows[i]);
+    known.after.row(i) = samples.after.row(rows[i]);
+    known.regions.push_back(samples.regions[rows[i]]);
+  }
+  return known;
+}
+
 }  // namespace
 
-std::string recognise(const TableSamples& samples, const std::vector<DeformationTable>& means,
+std::string recognise(const TableSamples& all, const std::vector<DeformationTable>& means,
                       std::vector<RecognitionScore>& scores) {
   if (means.empty()) return "there is no table to compare with; give the mean tables of the expressions";
-  if (samples.regions.empty()) return "there are no points to compare; give markers before and after";
+  if (all.regions.empty()) return "there are no points to compare; give markers before and after";
+  const TableSamples samples = knownTo(means, all);
+  if (samples.regions.empty())
+    return "no region with points is known to all tables it is compared with; give tables of the same regions";
   const HeadMovement movement(samples.before);
   const Eigen::VectorXd seen = movement.without(samples.after - samples.before);
   scores.clear();

@@ -21,7 +21,8 @@ struct RecognitionScore {
 
 /// Scores a recording against the mean tables of expressions, nearest first: each mean predicts how the recording's own
 /// points move, at the intensity that suits it best, and what is left is measured. Of a shift, rotation and scale of
-/// the whole face in the plane as much is taken out as pupils that were seen 0.05 beside their place explain.
+/// the whole face in the plane as much is taken out as pupils that were seen 0.05 beside their place explain. Regions
+/// that a mean does not know are left out for all of them.
 /// @return nothing, or one sentence that says what is missing
 std::string recognise(const TableSamples& samples, const std::vector<DeformationTable>& means,
                       std::vector<RecognitionScore>& scores);

@@ -16,12 +16,13 @@ namespace {
 
 using Cells = std::vector<std::string>;
 constexpr int coefficientCount = 12;
+constexpr int largestCount = 1'000'000;  // of recordings
 constexpr const char* beyondLimit =
     " is beyond -100 .. 100, which no face reaches; coefficients are in units of half the distance between the pupils";
 
 struct Columns {
   std::size_t count = 0;
-  int region = -1, displacement = -1;
+  int region = -1, displacement = -1, n = -1;
   std::array<int, coefficientCount> values{}, deviations{};
   bool hasDeviations = false;
 
@@ -29,6 +30,7 @@ struct Columns {
     count = header.size();
     region = columnNamed(header, "region");
     displacement = columnNamed(header, "displacement");
+    n = columnNamed(header, "n");
     if (region < 0) return "the header must name the columns region, a1 .. a6 and b1 .. b6" + separatorHint(header);
     int found = 0;
     for (int i = 0; i < coefficientCount; ++i) {
@@ -61,6 +63,9 @@ struct Rows {
       const std::string fault = addCoefficient(cells, index, i);
       if (!fault.empty()) return "region " + std::to_string(*region) + ": " + fault;
     }
+    if (columns.n >= 0 && !addCount(cells[columns.n], index))
+      return "region " + std::to_string(*region) + ": " + inQuotes(cells[columns.n]) +
+             " in column n is no number of recordings; give 0 (no point was there) to 1000000";
     return columns.displacement < 0 ? "" : addDisplacement(cells[columns.displacement]);
   }
 
@@ -80,6 +85,13 @@ struct Rows {
     return {};
   }
 
+  bool addCount(const std::string& cell, int region) {
+    const auto count = parseWholeNumber(cell);
+    if (!count || *count < 0 || *count > largestCount) return false;
+    table.counts->at(region) = static_cast<int>(*count);
+    return true;
+  }
+
   std::string addDisplacement(const std::string& cell) {
     const auto value = parseNumber(cell);
     if (!value || *value < 0.0 || *value > DeformationTable::largestCoefficient)
@@ -97,6 +109,7 @@ std::string parseTable(const std::string& text, DeformationTable& table) {
   Rows rows;
   std::string fault = rows.columns.find(splitAtCommas(lines.line()));
   if (rows.columns.hasDeviations) rows.table.deviations.emplace();
+  if (rows.columns.n >= 0) rows.table.counts.emplace();
   while (fault.empty() && lines.next()) fault = rows.add(splitAtCommas(lines.line()));
   const auto missing = std::find(rows.seen.begin(), rows.seen.end(), false);
   if (fault.empty() && missing != rows.seen.end())
@@ -113,12 +126,15 @@ std::string writeTable(const DeformationTable& table, const std::string& comment
   text += "region";
   for (int i = 0; i < coefficientCount; ++i) text += "," + coefficientName(i);
   for (int i = 0; table.deviations && i < coefficientCount; ++i) text += "," + coefficientName(i) + "_sd";
+  if (table.counts) text += ",n";
   text += table.largestDisplacement > 0.0 ? ",displacement\n" : "\n";
   for (int region = 0; region < DeformationTable::regionCount; ++region) {
     text += std::to_string(region + 1);
-    for (int i = 0; i < coefficientCount; ++i) appendNumber(text += ",", table.maps[region].coefficients(i / 6, i % 6));
+    for (int i = 0; i < coefficientCount; ++i)
+      appendNumber(text += ",", table.maps[region].coefficients(i / 6, i % 6) + 0.0);  // no -0
     for (int i = 0; table.deviations && i < coefficientCount; ++i)
       appendNumber(text += ",", table.deviations->at(region)(i / 6, i % 6));
+    if (table.counts) text += "," + std::to_string(table.counts->at(region));
     if (table.largestDisplacement > 0.0) appendNumber(text += ",", table.largestDisplacement);
     text += "\n";
   }

@@ -124,6 +124,13 @@ FacialRegions MarkerFileOptions::regions() const {
   return regions;
 }
 
+void MarkerFileOptions::tellStillHead(const std::string& file) const {
+  if (markers().neutralPupils && expressionPupils_.empty())
+    std::cerr << "mien: " << file
+              << ": the pupils are taken to be at the same places in the expression, the head as still; else give "
+                 "--expression-pupils\n";
+}
+
 std::string surfaceFault(const std::string& fault) {
   const std::size_t at = fault.find("there are no pupils");
   return at == std::string::npos
@@ -155,6 +162,7 @@ MarkerTable parseRecording(const std::string& text, const std::string& file, con
 
 void takeOutGivenPupils(MarkerTable& markers, const MarkerFileOptions& options, const std::string& file) {
   if (!options.markers().neutralPupils) return;
+  options.tellStillHead(file);
   std::string names;
   for (const std::string& name : takeOutPupils(markers)) names += (names.empty() ? "" : ", ") + name;
   if (!names.empty())

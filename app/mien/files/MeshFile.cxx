@@ -48,6 +48,7 @@ vtkSmartPointer<vtkDataObject> readMesh(const std::string& name) {
     throw ValueFailure("surface '" + name +
                        "' has an unknown ending; the known ones are .vts .vtp .ply .obj .stl .off");
   std::error_code error;
+  if (std::filesystem::is_directory(name, error)) throw FileFailure(name + ": it is a folder; give a surface file");
   if (!std::filesystem::is_regular_file(name, error))
     throw FileFailure(name + ": there is no such file; give a surface as .vts .vtp .ply .obj .stl .off");
   if (isScan) return readScan(name);

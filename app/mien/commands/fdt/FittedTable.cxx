@@ -1,9 +1,13 @@
 #include "FittedTable.h"
 
+#include <iostream>
+
 #include "FDTData.h"
 #include "Failure.h"
 #include "PipelineErrors.h"
+#include "SampleOutliers.h"
 #include "TableFit.h"
+#include "TableRows.h"
 #include "vtkFDTFitFilter.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
@@ -22,6 +26,10 @@ json coefficients(const QuadraticMap& map, int row) {
   return values;
 }
 
+json valueOf(const DeformationTable& table, int region, double value) {
+  return table.knows(region) ? json(value) : json(nullptr);
+}
+
 }  // namespace
 
 json FittedTable::description(const FacialRegions& map) const {
@@ -37,6 +45,7 @@ json FittedTable::description(const FacialRegions& map) const {
                                 {"rms", fit.rms}});
   }
   if (!warning.empty()) about["warning"] = warning;
+  if (!suspects.empty()) about["suspects"] = suspects;
   if (!missing.empty()) about["missing"] = missing;
   return about;
 }
@@ -49,22 +58,31 @@ json FittedTable::rows(const FacialRegions& map) const {
     const Eigen::Vector2d move = table.maps[region - 1].apply(centre) - centre;
     rows.push_back({{"region", std::to_string(region) + " " + map.name(region)},
                     {"points", fit.points},
-                    {"rms", fit.rms},
-                    {"centre_dx", move.x()},
-                    {"centre_dy", move.y()}});
+                    {"rms", valueOf(table, region, fit.rms)},
+                    {"centre_dx", valueOf(table, region, move.x())},
+                    {"centre_dy", valueOf(table, region, move.y())}});
   }
   return rows;
 }
 
 FittedTable fitMarkers(const MarkerTable& markers, const FacialRegions& regions, bool strict, const std::string& file) {
   TableFit fit;
-  const std::string fault = fit.fit(samplesOf(markers, regions), {strict, true});
+  const TableSamples samples = samplesOf(markers, regions);
+  const std::string fault = fit.fit(samples, {strict, true});
   if (!fault.empty()) throw FileFailure(file + ": " + fault);
   FittedTable fitted;
   fitted.table = fit.table;
   fitted.rms = fit.rms;
   fitted.warning = fit.warning();
   fitted.missing = markers.missing;
+  for (const SampleOutlier& outlier : sampleOutliers(samples)) {
+    const Marker& marker = markers.markers[outlier.sample];
+    fitted.suspects.push_back(marker.name);
+    std::cerr << "mien: " << file << ":" << marker.line << ": marker " << marker.name << " moves "
+              << readableNumber(outlier.difference)
+              << " pupil units otherwise than those around it; it is fitted all the same: correct it, or blank its "
+                 "cells\n";
+  }
   for (int i = 0; i < FacialRegions::count; ++i) fitted.regions[i] = {fit.regions[i].points, fit.regions[i].rms};
   return fitted;
 }
@@ -84,6 +102,7 @@ FittedTable fitSurfaces(vtkPointSet* neutral, vtkPointSet* expression, const Mar
   const MarkerOptions markers = options.markers();
   filter->SetLeftPupilName(markers.leftPupil);
   filter->SetRightPupilName(markers.rightPupil);
+  options.tellStillHead(names);
   if (markers.neutralPupils) {
     filter->SetLeftPupil(markers.neutralPupils->left.data());
     filter->SetRightPupil(markers.neutralPupils->right.data());
@@ -97,6 +116,8 @@ FittedTable fitSurfaces(vtkPointSet* neutral, vtkPointSet* expression, const Mar
   if (!fault.empty()) throw FileFailure(names + ": " + fault);
   fitted.rms = filter->GetRMS();
   fitted.warning = filter->GetWarning();
+  for (const std::string& warning : errors.warnings())
+    if (warning != fitted.warning) std::cerr << "mien: " << names << ": " << warning << "\n";
   for (int i = 0; i < FacialRegions::count; ++i)
     fitted.regions[i] = {filter->GetOutput()->GetValueByName(i, "points").ToInt(),
                          filter->GetOutput()->GetValueByName(i, "rms").ToDouble()};

@@ -30,6 +30,9 @@ struct TableInput {
 TableInput readTableOrRecording(const std::string& nameOrFile, const MarkerFileOptions& options,
                                 const FacialRegions& regions);
 
+/// One sentence that names the regions a table does not know, or nothing.
+std::string describeUnknown(const DeformationTable& table);
+
 /// The name of a table for reading: that of the file without folder and ending.
 std::string shortTableName(const std::string& nameOrFile);
 

@@ -51,7 +51,7 @@ void run(const Options& options) {
 void addSurfaceCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("surface", "Write the PDE surface of a face");
-  command->add_option("-o,--output", options->output, "File to write: .vts .vtp .ply .obj .stl .csv")->required();
+  command->add_option("-o,--output", options->output, "File to write: .vts .vtp .ply .obj .stl .off .csv")->required();
   options->face.addAll(*command);
   command->footer(
       "Example: mien surface -a 2 -N 7 --resolution 110x80 --expression joy -o joy.vtp\n"

@@ -60,6 +60,8 @@ void run(const Options& options) {
                                                        : fitMarkers(readRecording(options.recording, options.reading),
                                                                     regions, options.strict, options.recording);
   if (!fitted.warning.empty()) std::cerr << "mien: " << options.source() << ": " << fitted.warning << "\n";
+  if (fitted.table.largestDisplacement < 1e-6)
+    std::cerr << "mien: " << options.source() << ": nothing moves between the two states; is it the same file twice?\n";
   options.output.write(fitted.table, "Fitted to " + options.source() + ", RMS " + readableNumber(fitted.rms) +
                                          " pupil units; Mien " MIEN_VERSION);
   Report report;

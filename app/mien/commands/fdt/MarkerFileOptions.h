@@ -35,6 +35,9 @@ class MarkerFileOptions {
 
   /// The user's region map or the one compiled in; a FileFailure for one that is wrong.
   FacialRegions regions() const;
+
+  /// Says on stderr that places of pupils given once are taken for both states.
+  void tellStillHead(const std::string& file) const;
   const std::string& regionFile() const { return regionFile_; }
 
   /// Whether axes are turned round, which meshes do not know.

@@ -7,6 +7,7 @@
 #include "PipelineErrors.h"
 #include "PupilMarkers.h"
 #include "vtkCellData.h"
+#include "vtkFDTCurveFilter.h"
 #include "vtkFDTDeformationFilter.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -42,6 +43,25 @@ vtkSmartPointer<vtkPointSet> deform(vtkPointSet* data, const DeformationTable& t
   }
   filter->Update();
   if (!errors.first().empty()) throw FileFailure(file + ": " + surfaceFault(errors.first()));
+  for (const std::string& warning : errors.warnings()) std::cerr << "mien: " << file << ": " << warning << "\n";
+  return vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+/// Mien's own curves, whose lips and lids are known and must not cross.
+vtkSmartPointer<vtkPointSet> deformCurves(vtkPointSet* curves, const DeformationTable& table,
+                                          const DeformationOptions& options, const std::string& file) {
+  vtkNew<vtkFDTCurveFilter> filter;
+  PipelineErrors errors;
+  errors.observe(filter);
+  vtkNew<vtkTable> rows;
+  writeFDT(table, rows);
+  filter->SetInputDataObject(0, curves);
+  filter->SetInputDataObject(1, rows);
+  filter->SetStrength(options.strength);
+  filter->SetSmooth(!options.hard);
+  filter->Update();
+  if (!errors.first().empty()) throw FileFailure(file + ": " + errors.first());
+  for (const std::string& warning : errors.warnings()) std::cerr << "mien: " << file << ": " << warning << "\n";
   return vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
@@ -102,6 +122,7 @@ vtkSmartPointer<vtkPointSet> deformSurface(vtkPointSet* surface, const Deformati
                                            const DeformationOptions& options, const std::string& file) {
   options.reading.requirePupilsInSpace();
   const MarkerOptions names = options.reading.markers();
+  if (surface->GetCellData()->HasArray("CurveId")) return deformCurves(surface, table, options, file);
   const auto moved = deform(surface, table, options, names.neutralPupils ? &*names.neutralPupils : nullptr, file);
   const bool told = !options.landmarks.empty() || surface->GetPointData()->HasArray("LipSide") ||
                     surface->GetPointData()->HasArray("marker") || vtkStructuredGrid::SafeDownCast(surface);

@@ -1,12 +1,16 @@
 #include "SurfaceFile.h"
 
 #include "Failure.h"
+#include "NumberText.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkOBJWriter.h"
 #include "vtkOrderedGeometryFilter.h"
 #include "vtkPLYWriter.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
 #include "vtkSTLWriter.h"
@@ -55,6 +59,11 @@ void writeXML(vtkDataObject* data, const std::string& name) {
 void writePLY(vtkPolyData* polygons, const std::string& name) {
   vtkNew<vtkPLYWriter> writer;
   writer->SetFileTypeToBinary();
+  for (const char* colours : {"RGBA", "RGB"})
+    if (polygons->GetPointData()->HasArray(colours)) {
+      writer->SetArrayName(colours);
+      writer->SetEnableAlpha(std::string(colours) == "RGBA");
+    }
   write(writer.Get(), polygons, name);
 }
 
@@ -76,17 +85,38 @@ vtkSmartPointer<vtkPolyData> trianglesOf(vtkPolyData* polygons) {
   return triangles->GetOutput();
 }
 
+/// Points, then the corners of each polygon.
+void writeOFF(vtkPolyData* polygons, const std::string& name) {
+  vtkCellArray* cells = polygons->GetPolys();
+  std::string text = "OFF\n" + std::to_string(polygons->GetNumberOfPoints()) + " " +
+                     std::to_string(cells->GetNumberOfCells()) + " 0\n";
+  for (vtkIdType i = 0; i < polygons->GetNumberOfPoints(); ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      appendNumber(text, polygons->GetPoint(i)[axis]);
+      text += axis < 2 ? ' ' : '\n';
+    }
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell) {
+    cells->GetCellAtId(cell, corners);
+    text += std::to_string(corners->GetNumberOfIds());
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k) text += " " + std::to_string(corners->GetId(k));
+    text += "\n";
+  }
+  OutputFile::write(name, text);
+}
+
 void writePolygons(vtkPolyData* polygons, const std::string& ending, const std::string& name) {
   if (ending == "vtp") writeXML<vtkXMLPolyDataWriter>(polygons, name);
   if (ending == "ply") writePLY(polygons, name);
   if (ending == "obj") writeOBJ(polygons, name);
+  if (ending == "off") writeOFF(polygons, name);
   if (ending == "stl") writeSTL(trianglesOf(polygons), name);
 }
 
 }  // namespace
 
 const std::vector<std::string>& surfaceEndings() {
-  static const std::vector<std::string> endings = {"vts", "vtp", "ply", "obj", "stl"};
+  static const std::vector<std::string> endings = {"vts", "vtp", "ply", "obj", "stl", "off"};
   return endings;
 }
 
@@ -112,7 +142,7 @@ std::string gridBytes(vtkStructuredGrid* grid) {
 
 void writeMesh(vtkPointSet* mesh, const std::string& name) {
   if (auto* grid = vtkStructuredGrid::SafeDownCast(mesh)) return writeSurface(grid, name);
-  requireEnding(name, {"vtp", "ply", "obj", "stl"});
+  requireEnding(name, {"vtp", "ply", "obj", "stl", "off"});
   writePolygons(vtkPolyData::SafeDownCast(mesh), fileEnding(name), name);
 }
 

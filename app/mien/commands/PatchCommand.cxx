@@ -103,7 +103,7 @@ void addPatchCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("patch", "Write one PDE patch between any closed curves");
   command->add_option("curves", options->curves, "Closed polylines of equal length, FILE.vtp, or a face, FILE.mienz")
       ->required();
-  command->add_option("-o,--output", options->output, "File to write: .vts .vtp .ply .obj .stl .csv")->required();
+  command->add_option("-o,--output", options->output, "File to write: .vts .vtp .ply .obj .stl .off .csv")->required();
   command->add_option("--condition", options->conditions,
                       "U[:DERIVATIVE] of the next curve, once for each [arrays U and Derivative of the file, "
                       "else equal steps of u]");

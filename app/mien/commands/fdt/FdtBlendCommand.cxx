@@ -23,6 +23,8 @@ void run(const Options& options) {
   Report report;
   report.json = {{"tables", options.tables}, {"largest_displacement", table.largestDisplacement}};
   report.remarks = {"blended " + names};
+  const std::string unknown = describeUnknown(table);
+  if (!unknown.empty()) report.remarks.push_back(unknown);
   options.output.print(report);
 }
 

@@ -16,6 +16,7 @@
 #include "ProgressLine.h"
 #include "Remarks.h"
 #include "RowLayout.h"
+#include "TableInfo.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkFAPReader.h"
 #include "vtkPolyData.h"
@@ -132,6 +133,14 @@ json describeContact(const Options& options) {
 }
 
 void run(const Options& options) {
+  const json table = describeTableFile(options.file);
+  if (!table.is_null()) {
+    if (options.json)
+      std::cout << json{{"table", table}}.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+    else
+      printTableFile(table);
+    return;
+  }
   const std::string ending = fileEnding(options.file);
   const bool isAnimation = ending == "fap" || ending == "csv" || options.file == "-";
   json about = isAnimation ? describeAnimation(options.file) : aboutFace(options);
@@ -148,7 +157,9 @@ void run(const Options& options) {
 void addInfoCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("info", "Tell what a file or the generic face holds");
-  command->add_option("file", options->file, "Boundary curves .vtp .mienz or animation .fap .csv [the generic face]");
+  command->add_option("file", options->file,
+                      "Boundary curves .vtp .mienz or animation .fap .csv, facial deformation table or markers .csv "
+                      ".fdt [the generic face]");
   command->add_flag("--json", options->json, "Machine-readable");
   options->face.addSurfaceOptions(*command);
   command->footer(

@@ -21,11 +21,12 @@ struct FittedTable {
   };
   DeformationTable table;
   std::array<Region, FacialRegions::count> regions;
-  double rms = 0.0;                  ///< over all points, pupil units
-  std::string warning;               ///< names the empty and sparse regions, or is empty
-  std::vector<std::string> missing;  ///< markers that were not seen in both states
+  double rms = 0.0;                   ///< over all points, pupil units
+  std::string warning;                ///< names the empty and sparse regions, or is empty
+  std::vector<std::string> suspects;  ///< markers that move otherwise than those around them, worst first
+  std::vector<std::string> missing;   ///< markers that were not seen in both states
 
-  /// rms, regions[] {region, name, points, a[6], b[6], rms}, and warning and missing where there are any.
+  /// rms, regions[] {region, name, points, a[6], b[6], rms}, and warning, suspects and missing where there are any.
   nlohmann::ordered_json description(const FacialRegions& map) const;
 
   /// A row for each region: its points, rms and the displacement of its centre.

@@ -7,6 +7,7 @@
 #include "CommaText.h"
 #include "Failure.h"
 #include "NamedTables.h"
+#include "OutputFile.h"
 #include "TableList.h"
 
 namespace mien {
@@ -28,6 +29,12 @@ bool isRecording(const std::string& text) {
 
 DeformationTable readTable(const std::string& nameOrFile) {
   DeformationTable table;
+  std::error_code ignored;
+  if (!namedTable(nameOrFile) && fileEnding(nameOrFile) == "csv" &&
+      std::filesystem::is_regular_file(nameOrFile, ignored) && isRecording(readMarkerText(nameOrFile)))
+    throw FileFailure(nameOrFile +
+                      ": this is a recording of markers, and a table is wanted; make one with mien fdt fit " +
+                      nameOrFile + " -o table.csv");
   const std::string fault = readNamedTable(nameOrFile, table);
   if (!fault.empty()) throw FileFailure(fault);
   return table;
@@ -64,6 +71,13 @@ TableInput readTableOrRecording(const std::string& nameOrFile, const MarkerFileO
   input.table = fitted.table;
   input.rms = fitted.rms;
   return input;
+}
+
+std::string describeUnknown(const DeformationTable& table) {
+  const std::vector<int> unknown = table.unknownRegions();
+  std::string text = unknown.size() == 1 ? "region " : "regions ";
+  for (std::size_t i = 0; i < unknown.size(); ++i) text += (i ? ", " : "") + std::to_string(unknown[i]);
+  return unknown.empty() ? "" : text + (unknown.size() == 1 ? " is" : " are") + " not known (no markers): still";
 }
 
 std::string shortTableName(const std::string& nameOrFile) {

@@ -13,7 +13,6 @@ namespace mien {
 namespace {
 
 using json = nlohmann::ordered_json;
-constexpr int coefficientCount = 12 * FacialRegions::count;
 
 struct Options {
   std::string fit, against;
@@ -31,6 +30,12 @@ json rowOf(int index, const DeformationTable& fit, const DeformationTable& mean)
           {"sd", deviation},      {"sds", deviation > 0.0 ? json((value - expected) / deviation) : json(nullptr)}};
 }
 
+int comparedCoefficients(const DeformationTable& fit, const DeformationTable& mean) {
+  int regions = 0;
+  for (int region = 1; region <= FacialRegions::count; ++region) regions += isCompared(fit, mean, region);
+  return 12 * regions;
+}
+
 void run(const Options& options) {
   options.output.check();
   const FacialRegions regions = options.reading.regions();
@@ -40,6 +45,7 @@ void run(const Options& options) {
                       ": it has no standard deviations (a1_sd ..); make a mean table with mien fdt mean");
   const TableInput input = readTableOrRecording(options.fit, options.reading, regions);
   options.reading.refuseForTables(input.markers.has_value(), options.fit, false);
+  const int coefficientCount = comparedCoefficients(input.table, mean);
   const std::vector<int> outside = outsideRange(input.table, mean);
   Report report;
   report.rows = json::array();

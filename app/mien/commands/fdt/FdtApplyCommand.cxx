@@ -8,13 +8,13 @@
 #include "FDTData.h"
 #include "Failure.h"
 #include "FdtCommands.h"
-#include "MeshFile.h"
 #include "OutputFile.h"
 #include "ReportOptions.h"
 #include "SurfaceFile.h"
 #include "TableInput.h"
 #include "TableOutput.h"
 #include "TableRows.h"
+#include "WholeMesh.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -53,7 +53,7 @@ Movement moveMarkers(const Options& options, const std::string& file, const Defo
 }
 
 Movement moveSurface(const Options& options, const std::string& file, const DeformationTable& table) {
-  const auto surface = readMesh(file);
+  const auto surface = readWholeMesh(file);
   const auto moved = deformSurface(vtkPointSet::SafeDownCast(surface), table, options.deformation, file);
   vtkDataArray* moves = moved->GetPointData()->GetArray("Displacement");
   Movement movement;
@@ -62,7 +62,7 @@ Movement moveSurface(const Options& options, const std::string& file, const Defo
     moves->GetTuple(i, move.data());
     movement.add(move);
   }
-  writeMesh(moved, options.outputFile);
+  writeMovedMesh(moved, file, options.outputFile);
   return movement;
 }
 
@@ -102,6 +102,8 @@ void run(const Options& given) {
     throw ValueFailure("--strength is outside -2 .. 2; 1 is the table as it is");
   options.inputs.pop_back();
   const DeformationTable table = readWeightedTables(options.inputs);
+  const std::string unknown = describeUnknown(table);
+  if (!unknown.empty()) std::cerr << "mien: " << unknown << "\n";
   options.inputs.push_back(face);
   print(options, markers ? moveMarkers(options, face, table) : moveSurface(options, face, table));
 }
@@ -119,7 +121,7 @@ void addFdtApplyCommand(CLI::App& parent) {
       ->required();
   command
       ->add_option("-o,--output", options->outputFile,
-                   "Face to write: .csv of markers; .ply .obj .stl .vtp .vts of surfaces")
+                   "Face to write: .csv of markers; .ply .obj .stl .off .vtp .vts of surfaces")
       ->required();
   command->add_flag("--json", options->json, "Machine-readable results on stdout");
   command->add_option("--strength", options->strength, "Factor on all displacements, -2 .. 2")->capture_default_str();

@@ -33,11 +33,13 @@ json coefficientRows(const DeformationTable& table) {
     const int region = i / 12, row = i % 12 / 6, column = i % 6;
     const double value = table.maps[region].coefficients(row, column);
     json about = {{"region", region + 1}, {"coefficient", coefficientName(i % 12)}, {"value", value}};
+    if (!table.knows(region + 1)) about["value"] = nullptr;
     if (table.deviations) {
       const double deviation = table.deviations->at(region)(row, column);
-      about["sd"] = deviation;
-      about["low"] = value - deviation;
-      about["high"] = value + deviation;
+      const bool known = table.hasRange(region + 1);
+      about["sd"] = known ? json(deviation) : json(nullptr);
+      about["low"] = known ? json(value - deviation) : json(nullptr);
+      about["high"] = known ? json(value + deviation) : json(nullptr);
     }
     rows.push_back(about);
   }
@@ -46,7 +48,9 @@ json coefficientRows(const DeformationTable& table) {
 
 std::string readableCoefficient(const DeformationTable& table, int region, int row, int column) {
   const double value = table.maps[region].coefficients(row, column);
-  return table.deviations ? rangeText(value, table.deviations->at(region)(row, column), "+-") : fixedText(value);
+  if (!table.knows(region + 1)) return "-";
+  return table.hasRange(region + 1) ? rangeText(value, table.deviations->at(region)(row, column), "+-")
+                                    : fixedText(value);
 }
 
 /// Two rows a region, x' and y', so that a line fits a terminal.
@@ -69,6 +73,8 @@ json regionList(const DeformationTable& table, const FacialRegions& regions) {
     const Eigen::Vector2d& centre = regions.centre(region);
     const Eigen::Vector2d move = table.maps[region - 1].apply(centre) - centre;
     json about = {{"region", region}, {"name", regions.name(region)}};
+    about["known"] = table.knows(region);
+    if (table.counts) about["n"] = table.counts->at(region - 1);
     about["centre"] = {centre.x(), centre.y()};
     about["centre_displacement"] = {move.x(), move.y()};
     for (int row = 0; row < 2; ++row)
@@ -126,6 +132,8 @@ void run(const Options& options) {
                  {"regions", regionList(table, regions)}};
   report.remarks = {"largest displacement " + readableNumber(largest) + " pupil units" +
                     (table.deviations ? "; +- is one standard deviation" : "")};
+  const std::string unknown = describeUnknown(table);
+  if (!unknown.empty()) report.remarks.push_back(unknown);
   report.plate = [&](double width) { return plateOf(options, table, regions, width); };
   options.report.deliver(report, "mien fdt show " + options.table);
 }

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <memory>
 
 #include "CsvText.h"
@@ -29,12 +30,30 @@ nlohmann::ordered_json rowsOf(const DeformationTable& mean, const FacialRegions&
   for (int region = 1; region <= FacialRegions::count; ++region) {
     const Eigen::Vector2d& centre = regions.centre(region);
     const Eigen::Vector2d move = mean.maps[region - 1].apply(centre) - centre;
+    const bool known = mean.knows(region);
     rows.push_back({{"region", std::to_string(region) + " " + regions.name(region)},
-                    {"centre_dx", move.x()},
-                    {"centre_dy", move.y()}});
-    if (mean.deviations) rows.back()["mean_sd"] = spread(mean, region);
+                    {"n", mean.counts->at(region - 1)},
+                    {"centre_dx", known ? nlohmann::ordered_json(move.x()) : nullptr},
+                    {"centre_dy", known ? nlohmann::ordered_json(move.y()) : nullptr}});
+    if (mean.deviations)
+      rows.back()["mean_sd"] = mean.hasRange(region) ? nlohmann::ordered_json(spread(mean, region)) : nullptr;
   }
   return rows;
+}
+
+std::string counted(std::size_t tables) {
+  return std::to_string(tables) + (tables == 1 ? " table" : " tables");
+}
+
+/// Names the regions that some of the tables do not know, and how many do.
+std::string describeGaps(const DeformationTable& mean, std::size_t tables) {
+  std::string text;
+  for (int region = 1; region <= FacialRegions::count; ++region)
+    if (mean.counts->at(region - 1) < int(tables))
+      text += (text.empty() ? "" : ", ") + std::to_string(region) + " (" + std::to_string(mean.counts->at(region - 1)) +
+              ")";
+  return text.empty() ? text
+                      : "some have no markers in these regions, whose means are those of the others (n): " + text;
 }
 
 void run(const Options& options) {
@@ -58,17 +77,20 @@ void run(const Options& options) {
   }
   options.reading.refuseForTables(recordings > 0, "what was given");
   const DeformationTable mean = meanTable(tables);
-  options.output.write(mean, options.comment.empty()
-                                 ? "Mean of " + std::to_string(tables.size()) +
-                                       " tables with standard deviations, pupil units; Mien " MIEN_VERSION
-                                 : options.comment);
+  options.output.write(mean, options.comment.empty() ? "Mean of " + counted(tables.size()) +
+                                                           " with standard deviations, pupil units; Mien " MIEN_VERSION
+                                                     : options.comment);
   report.json["tables"] = tables.size();
   if (recordings) report.json["mean_rms"] = sum / recordings;
   report.rows = rowsOf(mean, regions);
   report.json["regions"] = report.rows;
-  report.remarks = {
-      "mean of " + std::to_string(tables.size()) +
-      (recordings ? " tables; mean RMS of the fits " + readableNumber(sum / recordings) + " pupil units" : " tables")};
+  report.remarks = {"mean of " + counted(tables.size()) +
+                    (recordings ? "; mean RMS of the fits " + readableNumber(sum / recordings) + " pupil units" : "")};
+  const std::string gaps = describeGaps(mean, tables.size());
+  if (!gaps.empty()) {
+    report.json["warning"] = gaps;
+    std::cerr << "mien: " << gaps << "\n";
+  }
   if (tables.size() == 1)
     report.remarks.push_back("one table has no spread: give several for standard deviations that mean something");
   options.output.print(report);
@@ -85,7 +107,8 @@ void addFdtMeanCommand(CLI::App& parent) {
   options->reading.addTo(*command, true);
   command->footer(
       "Example: mien fdt mean subject*_joy.csv -o joy.csv\n"
-      "Standard deviations are those of a sample (n - 1). mien fdt check tells what lies outside mean +- sd.");
+      "Standard deviations are those of a sample (n - 1). Regions without markers in a recording are left out of the "
+      "mean; n says how many remain. mien fdt check tells what lies outside mean +- sd.");
   command->callback([options] { run(*options); });
 }
 
