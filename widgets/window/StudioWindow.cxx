@@ -28,6 +28,7 @@
 #include "LiveStream.h"
 #include "MessageBar.h"
 #include "SurfacePanel.h"
+#include "TexturePanel.h"
 #include "Theme.h"
 #include "TimelinePanel.h"
 #include "ViewFrame.h"
@@ -333,6 +334,8 @@ void StudioWindow::dropEvent(QDropEvent* event) {
 }
 
 void StudioWindow::closeEvent(QCloseEvent* event) {
+  auto* texture = findChild<TexturePanel*>();
+  if (texture && !texture->mayClose()) return event->ignore();
   player_->pause();
   WindowLayout::save(*this);
   QMainWindow::closeEvent(event);
