@@ -29,7 +29,8 @@ struct AcquireOptions {
 struct AcquireResult {
   std::string scan;
   ScanReport report;
-  int crossings = 0;  ///< of curves, between samples too
+  int crossings = 0;           ///< of curves, between samples too
+  std::string crossingCurves;  ///< which (namedCrossings)
   double frontalRMS = 0.0,
          frontalMaximum = 0.0;  ///< mm, of the spline face (a = 1, N = 5, 224 x 160, z > 50 mm) to the scan
 };
