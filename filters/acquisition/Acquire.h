@@ -51,6 +51,9 @@ MIENACQUISITION_EXPORT std::string measureScan(const AcquireOptions& options, co
 /// What was found, in lines of text: unit, pose, mesh, landmarks, fit, distance, crossings.
 MIENACQUISITION_EXPORT std::string reportText(const AcquireResult& result);
 
+/// The 4 x 4 matrix from the scan's coordinates to those of the curves, in four more lines.
+MIENACQUISITION_EXPORT std::string matrixText(const ScanReport& report);
+
 /// Reads the scans, measures their boundary curves and writes them as XML polydata (inline, not compressed).
 /// @return nothing, or "FILE[:LINE]: what is wrong and what to do"; no curves are written then
 MIENACQUISITION_EXPORT std::string acquire(const AcquireOptions& options, std::vector<AcquireResult>* results = nullptr,

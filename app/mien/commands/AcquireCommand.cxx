@@ -122,7 +122,7 @@ void deliver(const Options& options, const std::vector<AcquireResult>& results) 
     if (options.json)
       all.push_back(jsonOf(result));
     else if (options.acquire.report)
-      std::cout << reportText(result);
+      std::cout << reportText(result) << matrixText(result.report);
   }
   if (options.json) std::cout << all.dump(2) << "\n";
 }
