@@ -82,12 +82,15 @@ const LengthUnit* unitOf(const Options& options) {
 }
 
 void scale(vtkDataObject* mesh, double factor) {
-  vtkPoints* points = vtkPointSet::SafeDownCast(mesh)->GetPoints();
-  for (vtkIdType i = 0; points && i < points->GetNumberOfPoints(); ++i) {
-    const double* p = points->GetPoint(i);
-    points->SetPoint(i, factor * p[0], factor * p[1], factor * p[2]);
+  auto* set = vtkPointSet::SafeDownCast(mesh);
+  vtkNew<vtkPoints> scaled;
+  scaled->SetDataTypeToDouble();
+  scaled->SetNumberOfPoints(set->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < set->GetNumberOfPoints(); ++i) {
+    const double* p = set->GetPoint(i);
+    scaled->SetPoint(i, factor * p[0], factor * p[1], factor * p[2]);
   }
-  if (points) points->Modified();
+  set->SetPoints(scaled);
 }
 
 /// Two surfaces of heads differ by less than this unless their lengths are in different units.
