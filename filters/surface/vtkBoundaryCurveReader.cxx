@@ -29,18 +29,16 @@ std::string readXML(const std::string& name, vtkXMLPolyDataReader* reader) {
   return {};
 }
 
-/// Whether a file's name says that it holds a surface, not curves.
-bool isMeshName(const std::string& name) {
+bool isScan(const std::string& name) {
   const std::string ending = vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
-  return ending == ".ply" || ending == ".obj" || ending == ".stl" || ending == ".off" || ending == ".vts";
+  return ending == ".ply" || ending == ".obj" || ending == ".stl" || ending == ".off";
 }
 
 /// @return nothing, or one sentence that names the file
 std::string readFace(const std::string& name, vtkPolyData* output) {
-  if (isMeshName(name))
-    return name +
-           ": this is a mesh; a face is boundary curves in a .vtp or .mienz file, which `mien acquire` measures on a "
-           "scan of a head";
+  if (isScan(name))
+    return name + ": this is a scan, not the boundary curves of a face; make them with mien acquire " + name +
+           " -o FACE.vtp";
   vtkNew<vtkXMLPolyDataReader> reader;
   std::string fault = readXML(name, reader);
   if (!fault.empty()) return fault;
