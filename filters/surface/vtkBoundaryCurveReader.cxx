@@ -1,5 +1,7 @@
 #include "vtkBoundaryCurveReader.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include "BoundaryCurveData.h"
 #include "CompactFaceFile.h"
 #include "GenericFaceFile.h"
@@ -27,8 +29,18 @@ std::string readXML(const std::string& name, vtkXMLPolyDataReader* reader) {
   return {};
 }
 
+/// Whether a file's name says that it holds a surface, not curves.
+bool isMeshName(const std::string& name) {
+  const std::string ending = vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
+  return ending == ".ply" || ending == ".obj" || ending == ".stl" || ending == ".off" || ending == ".vts";
+}
+
 /// @return nothing, or one sentence that names the file
 std::string readFace(const std::string& name, vtkPolyData* output) {
+  if (isMeshName(name))
+    return name +
+           ": this is a mesh; a face is boundary curves in a .vtp or .mienz file, which `mien acquire` measures on a "
+           "scan of a head";
   vtkNew<vtkXMLPolyDataReader> reader;
   std::string fault = readXML(name, reader);
   if (!fault.empty()) return fault;
