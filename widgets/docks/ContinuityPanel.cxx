@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "ContinuityTable.h"
+#include "CsvTable.h"
 #include "ExportButton.h"
 #include "FaceModel.h"
 #include "FaceScheme.h"
@@ -24,9 +25,9 @@
 #include "FigureView.h"
 #include "FlipBox.h"
 #include "LiveUpdate.h"
+#include "RoundedUp.h"
 #include "SeamMeasureKind.h"
 #include "SurfaceParameters.h"
-#include "CsvTable.h"
 
 namespace mien {
 
@@ -44,13 +45,6 @@ double largestOf(const SeamProfile& profile) {
   for (double value : profile.value)
     if (std::isfinite(value)) largest = std::max(largest, value);
   return largest;
-}
-
-double roundedUp(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (double step : {1.0, 2.0, 5.0})
-    if (step * decade >= value) return step * decade;
-  return 10.0 * decade;
 }
 
 }  // namespace

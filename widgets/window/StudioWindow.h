@@ -12,7 +12,7 @@ class FaceModel;
 class LaboratoryDocks;
 class LiveStream;
 class MessageBar;
-class ViewFrame;
+class ViewArea;
 
 /// The main window of Mien Studio: it puts the widgets in their places and knows the menus.
 class StudioWindow : public QMainWindow {
@@ -43,13 +43,6 @@ class StudioWindow : public QMainWindow {
 
  private:
   QWidget* centre();
-  QWidget* views();
-  QWidget* faceFrame();
-  QWidget* curveFrame();
-  void addSideButtons(ViewFrame* frame);
-  void addMeshButtons(ViewFrame* frame);
-  void linkCameras(bool linked);
-  void look(RenderView::Side side);
   void addDocks();
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel);
   void addFileMenu();
@@ -62,6 +55,7 @@ class StudioWindow : public QMainWindow {
   AnimationPlayer* player_;
   FaceView* face_;
   CurveView* curves_;
+  ViewArea* views_;
   MessageBar* messages_;
   LaboratoryDocks* laboratory_;
   LiveStream* stream_ = nullptr;
