@@ -24,6 +24,7 @@
 #include "LiveStream.h"
 #include "MessageBar.h"
 #include "SurfacePanel.h"
+#include "TexturePanel.h"
 #include "Theme.h"
 #include "TimelinePanel.h"
 #include "ViewArea.h"
@@ -259,6 +260,8 @@ void StudioWindow::dropEvent(QDropEvent* event) {
 }
 
 void StudioWindow::closeEvent(QCloseEvent* event) {
+  auto* texture = findChild<TexturePanel*>();
+  if (texture && !texture->mayClose()) return event->ignore();
   player_->pause();
   WindowLayout::save(*this);
   QMainWindow::closeEvent(event);
