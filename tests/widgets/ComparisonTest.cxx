@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <cmath>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "Comparison.h"
 #include "DifferenceArrows.h"
@@ -42,8 +43,8 @@ class Comparison : public StudioFixture {
     settle();
   }
   vtkPolyData* measured(Side side) {
-    EXPECT_TRUE(waitUntil([&] { return comparison()->measured(side) != nullptr; }));
-    return comparison()->measured(side);
+    EXPECT_TRUE(waitUntil([&] { return comparison()->surface(side) != nullptr; }));
+    return comparison()->surface(side);
   }
   static vtkDataArray* array(vtkDataObject* surface, const char* name) {
     return vtkPolyData::SafeDownCast(surface)->GetPointData()->GetArray(name);
@@ -95,21 +96,21 @@ TEST_F(Comparison, OfTwoMeshesIsTheDistanceOfTheirSurfaces) {
   choose(thisState);
   window->model().change([](FaceState& state) { state.rows = 56; });
   smile();
-  ASSERT_TRUE(waitUntil([&] { return comparison()->measured(Side::A) && !comparison()->summary().isEmpty(); }));
+  ASSERT_TRUE(waitUntil([&] { return comparison()->surface(Side::A) && !comparison()->summary(Side::A).isEmpty(); }));
   vtkNew<vtkSurfaceDistanceFilter> filter;
   filter->SetInputData(surface());
   filter->SetReferenceData(comparison()->other()->pipeline().surface()->GetOutputDataObject(0));
   filter->GenerateVectorsOn();
   filter->Update();
   const auto isPresent = [&] {
-    vtkDataArray* shown = array(comparison()->measured(Side::A), "Distance");
+    vtkDataArray* shown = array(comparison()->surface(Side::A), "Distance");
     return shown->GetMaxNorm() == filter->GetMaximumDistance(0);
   };
   ASSERT_TRUE(waitUntil(isPresent));
   EXPECT_FALSE(comparison()->corresponds());
   for (int side = 0; side < 2; ++side)
     for (const char* name : {"Distance", "DistanceVector"})
-      expectSameBits(array(comparison()->measured(static_cast<Side>(side)), name),
+      expectSameBits(array(comparison()->surface(static_cast<Side>(side)), name),
                      array(filter->GetOutputDataObject(side), name));
 }
 
@@ -154,7 +155,7 @@ TEST_F(Comparison, AFileThatIsNoSurfaceChangesNothing) {
   settle();
   EXPECT_EQ(comparison()->kind(), Kind::None);
   EXPECT_TRUE(message().contains("broken.ply")) << message().toStdString();
-  EXPECT_FALSE(window->findChild<QWidget*>("otherFrame"));
+  EXPECT_FALSE(window->findChild<QWidget*>("otherFaceView"));
 }
 
 TEST_F(Comparison, SwapExchangesTheStates) {
@@ -247,24 +248,27 @@ TEST_F(Comparison, BothSidesAreColouredAlike) {
   EXPECT_GT(colorsIn("otherFaceView"), 200);
 }
 
-TEST_F(Comparison, SettingsComeBack) {
+TEST_F(Comparison, ASessionBringsBack) {
+  using nlohmann::json;
   smile();
   choose(thisState);
-  const QJsonObject pinned = comparison()->settings();
+  const json pinned = comparison()->sessionState();
   const FaceState joy = comparison()->other()->state();
   choose(choice()->findData("sixth-order"));
-  const QJsonObject scheme = comparison()->settings();
+  const json scheme = comparison()->sessionState();
   choose(nothing);
-  const QJsonObject none = comparison()->settings();
-  EXPECT_EQ(comparison()->setSettings(pinned), "");
-  EXPECT_EQ(comparison()->settings(), pinned);
+  const json none = comparison()->sessionState();
+  comparison()->restoreSession(pinned);
+  EXPECT_EQ(comparison()->sessionState(), pinned);
   EXPECT_EQ(comparison()->other()->state(), joy);
-  EXPECT_EQ(comparison()->setSettings(scheme), "");
-  EXPECT_EQ(comparison()->settings(), scheme);
+  comparison()->restoreSession(scheme);
+  EXPECT_EQ(comparison()->sessionState(), scheme);
   EXPECT_EQ(choice()->currentData().toString(), "sixth-order");
-  EXPECT_NE(comparison()->setSettings({{"kind", "guess"}}), "");
-  EXPECT_EQ(comparison()->settings(), scheme);
-  EXPECT_EQ(comparison()->setSettings(none), "");
+  comparison()->restoreSession({{"kind", "state"}, {"state", {{"mien_face_state", "old"}}}});
+  settle();
+  EXPECT_NE(message(), "");
+  EXPECT_EQ(comparison()->sessionState(), scheme);
+  comparison()->restoreSession(none);
   EXPECT_EQ(comparison()->kind(), Kind::None);
 }
 

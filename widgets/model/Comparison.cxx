@@ -8,11 +8,12 @@
 #include <vtkSurfaceDistanceFilter.h>
 
 #include <QFileInfo>
-#include <QJsonDocument>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "BackgroundTask.h"
 #include "FaceModel.h"
+#include "FaceScheme.h"
 #include "FaceStateText.h"
 #include "FilterProgress.h"
 #include "PipelineErrors.h"
@@ -23,6 +24,8 @@
 namespace mien {
 
 namespace {
+
+using json = nlohmann::json;
 
 constexpr const char* kindNames[] = {"none", "state", "scheme", "mesh"};
 
@@ -61,6 +64,7 @@ vtkSmartPointer<vtkPolyData> withNormals(const vtkSmartPointer<vtkPolyData>& sur
 
 DistanceSummary summaryOf(vtkPolyData* surface) {
   vtkDataArray* array = surface->GetPointData()->GetArray("Distance");
+  if (!array) return {};  // of work that was cancelled
   std::vector<double> distances(array->GetNumberOfTuples());
   for (size_t i = 0; i < distances.size(); ++i) distances[i] = array->GetComponent(i, 0);
   const std::vector<double> areas = pointAreas(trianglesOf(surface));
@@ -77,6 +81,7 @@ struct Comparison::Distances {
 
 Comparison::Comparison(FaceModel* model, QObject* parent)
     : QObject(parent), model_(model), task_(new BackgroundTask(this)) {
+  setObjectName("comparison");
   connect(model_, &FaceModel::updated, this, &Comparison::follow);
 }
 
@@ -95,7 +100,7 @@ vtkPolyData* Comparison::mesh() const {
   return kind_ == Kind::Mesh ? mesh_.Get() : nullptr;
 }
 
-vtkPolyData* Comparison::measured(Side side) const {
+vtkPolyData* Comparison::surface(Side side) const {
   return measured_[static_cast<int>(side)];
 }
 
@@ -103,11 +108,10 @@ QString Comparison::name() const {
   return kind_ == Kind::Scheme ? scheme_ : kind_ == Kind::Mesh ? QFileInfo(file_).fileName() : words_;
 }
 
-QString Comparison::summary() const {
-  if (!distances_ || kind_ == Kind::None) return {};
-  const auto& [there, back] = distances_->summaries;
-  if (corresponds_) return wayText(tr("Point to point"), there);
-  return wayText(tr("A to B"), there) + ";  " + wayText(tr("B to A"), back);
+QString Comparison::summary(Side side) const {
+  if (!distances_) return {};
+  const QString way = corresponds_ ? tr("Point to point") : side == Side::A ? tr("A to B") : tr("B to A");
+  return wayText(way, distances_->summaries[static_cast<int>(side)]);
 }
 
 void Comparison::take(Kind kind) {
@@ -136,6 +140,10 @@ void Comparison::pin(const FaceState& state) {
 }
 
 void Comparison::compareScheme(const QString& scheme) {
+  const std::vector<FaceScheme>& known = faceSchemes();
+  const std::string name = scheme.toStdString();
+  if (std::none_of(known.begin(), known.end(), [&](const FaceScheme& one) { return one.name == name; }))
+    return emit model_->failed(tr("There is no scheme '%1' to compare with.").arg(scheme), QString());
   scheme_ = scheme;
   take(Kind::Scheme);
 }
@@ -260,33 +268,28 @@ void Comparison::deliver(const Distances& distances) {
   emit measured();
 }
 
-QJsonObject Comparison::settings() const {
-  QJsonObject settings = {{"kind", kindNames[static_cast<int>(kind_)]}};
-  if (kind_ == Kind::State)
-    settings["state"] = QJsonDocument::fromJson(QByteArray::fromStdString(writeFaceState(other_->state()))).object();
-  if (kind_ == Kind::Scheme) settings["scheme"] = scheme_;
-  if (kind_ == Kind::Mesh) settings["file"] = file_;
-  return settings;
+json Comparison::sessionState() const {
+  json state = {{"kind", kindNames[static_cast<int>(kind_)]}};
+  if (kind_ == Kind::State) state["state"] = json::parse(writeFaceState(other_->state()));
+  if (kind_ == Kind::Scheme) state["scheme"] = scheme_.toStdString();
+  if (kind_ == Kind::Mesh) state["file"] = file_.toStdString();
+  return state;
 }
 
-QString Comparison::setSettings(const QJsonObject& settings) {
-  const QString kind = settings["kind"].toString("none");
-  if (kind == "none") {
-    clear();
-  } else if (kind == "scheme") {
-    compareScheme(settings["scheme"].toString());
-  } else if (kind == "mesh") {
-    return openMesh(settings["file"].toString()) ? QString() : tr("the mesh of B cannot be read");
-  } else if (kind == "state") {
-    FaceState state;
-    const QByteArray text = QJsonDocument(settings["state"].toObject()).toJson();
-    const std::string fault = readFaceState(text.toStdString(), state);
-    if (!fault.empty()) return QString::fromStdString(fault);
-    pin(state);
-  } else {
-    return tr("kind '%1' of B is none of none, state, scheme, mesh").arg(kind);
-  }
-  return {};
+void Comparison::restoreSession(const json& state) {
+  const auto text = [&](const char* name) {
+    const auto found = state.find(name);
+    return found != state.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  const std::string kind = state.is_object() ? text("kind") : std::string();
+  if (kind == "scheme") return compareScheme(QString::fromStdString(text("scheme")));
+  if (kind == "mesh") return void(openMesh(QString::fromStdString(text("file"))));
+  if (kind != "state") return clear();
+  FaceState pinned;
+  const auto found = state.find("state");
+  const std::string fault = readFaceState(found == state.end() ? std::string() : found->dump(), pinned);
+  if (fault.empty()) return pin(pinned);
+  emit model_->failed(tr("B cannot be shown: %1").arg(QString::fromStdString(fault)), QString());
 }
 
 }  // namespace mien

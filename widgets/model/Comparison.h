@@ -3,11 +3,11 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include <QJsonObject>
 #include <QObject>
 #include <QString>
 #include <array>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "FaceState.h"
@@ -44,16 +44,16 @@ class Comparison : public QObject {
   QString scheme() const { return scheme_; }
   bool canSwap() const { return kind_ == Kind::State || kind_ == Kind::Scheme; }
 
-  FaceModel* other();                      ///< that moves B; of a mesh it only tells how large a face is
-  vtkPolyData* mesh() const;               ///< of a file, with normals; nullptr: B is a face
-  vtkPolyData* measured(Side side) const;  ///< a side's surface with the arrays; nullptr until there is one
+  FaceModel* other();                     ///< that moves B; of a mesh it only tells how large a face is
+  vtkPolyData* mesh() const;              ///< of a file, with normals; nullptr: B is a face
+  vtkPolyData* surface(Side side) const;  ///< a side's surface with the arrays; nullptr until it is measured
   bool corresponds() const { return corresponds_; }
-  QString summary() const;  ///< RMS, 95 % and largest both ways, in words
+  QString summary(Side side) const;  ///< RMS, 95 % and largest from that side to the other, in words
 
-  /// What a session keeps: {"kind": "none" | "state" | "scheme" | "mesh", "state": {..}, "scheme": "..", "file": ".."}.
-  QJsonObject settings() const;
-  /// @return nothing, or one sentence that says what is wrong; then B is as it was
-  QString setSettings(const QJsonObject& settings);
+  /// {"kind": "none" | "state" | "scheme" | "mesh", "state": {..}, "scheme": "..", "file": ".."}, with the FaceState as
+  /// FaceStateText writes it.
+  nlohmann::json sessionState() const;
+  void restoreSession(const nlohmann::json& state);  ///< failed() of the model tells what cannot be shown
 
  signals:
   void changed();   ///< another B, or none

@@ -27,13 +27,14 @@ constexpr int most = 1500;
 constexpr const char* arrowArray = "Arrow";
 
 /// One point of each cube of space, the first.
-std::vector<vtkIdType> spread(vtkPolyData* surface, vtkDataArray* vectors, double edge) {
+std::vector<vtkIdType> spread(vtkPolyData* surface, vtkDataArray* vectors, double longest, double edge) {
   std::set<std::array<int, 3>> taken;
   std::vector<vtkIdType> chosen;
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
     double point[3], vector[3];
     vectors->GetTuple(i, vector);
-    if (!(std::hypot(vector[0], vector[1], vector[2]) >= DifferenceArrows::leastLength)) continue;
+    const double length = std::hypot(vector[0], vector[1], vector[2]);
+    if (!(length >= DifferenceArrows::leastLength && length <= longest)) continue;
     surface->GetPoint(i, point);
     std::array<int, 3> cube;
     for (int k = 0; k < 3; ++k) cube[k] = static_cast<int>(std::floor(point[k] / edge));
@@ -68,7 +69,8 @@ DifferenceArrows::DifferenceArrows(RenderView* view, QObject* parent) : QObject(
 
 DifferenceArrows::~DifferenceArrows() = default;
 
-void DifferenceArrows::show(vtkPolyData* surface, const char* array) {
+void DifferenceArrows::show(vtkPolyData* surface, const char* array, double longest) {
+  longest_ = longest;
   surface ? surface_->ShallowCopy(surface) : surface_->Initialize();
   array_ = array;
   draw();
@@ -89,8 +91,8 @@ void DifferenceArrows::draw() {
   actor_->SetVisibility(vectors && factor_ > 0.0);
   if (actor_->GetVisibility()) {
     double edge = spacing;
-    std::vector<vtkIdType> chosen = spread(surface_, vectors, edge);
-    while (chosen.size() > most) chosen = spread(surface_, vectors, edge *= 1.5);
+    std::vector<vtkIdType> chosen = spread(surface_, vectors, longest_, edge);
+    while (chosen.size() > most) chosen = spread(surface_, vectors, longest_, edge *= 1.5);
     vtkNew<vtkPoints> points;
     vtkNew<vtkDoubleArray> arrows;
     arrows->SetName(arrowArray);

@@ -3,10 +3,10 @@
 #include <vtkNew.h>
 
 #include <QObject>
+#include <string>
 
 class vtkActor;
 class vtkGlyph3DMapper;
-class vtkMaskPoints;
 class vtkPolyData;
 
 namespace mien {
@@ -24,7 +24,8 @@ class DifferenceArrows : public QObject {
   ~DifferenceArrows() override;
 
   /// nullptr: none. @param array  name of a point array of three components
-  void show(vtkPolyData* surface, const char* array);
+  /// @param longest  mm; longer ones are not drawn
+  void show(vtkPolyData* surface, const char* array, double longest);
   void setFactor(double factor);  ///< mm of arrow per mm of difference; 0: no arrows. Default 0
   double factor() const { return factor_; }
   int count() const;  ///< how many are drawn
@@ -41,7 +42,7 @@ class DifferenceArrows : public QObject {
   vtkNew<vtkActor> actor_;
   vtkNew<vtkPolyData> surface_, origins_;
   std::string array_;
-  double factor_ = 0.0;
+  double factor_ = 0.0, longest_ = 0.0;
 };
 
 }  // namespace mien

@@ -86,7 +86,7 @@ vtkPolyData* FaceColoring::other() const {
 /// The surfaces that colours are for, A first.
 std::vector<vtkPolyData*> FaceColoring::colored() const {
   if (kind_ != Kind::Difference) return {surface(), other()};
-  return {comparison_->measured(Comparison::Side::A), comparison_->measured(Comparison::Side::B)};
+  return {comparison_->surface(Comparison::Side::A), comparison_->surface(Comparison::Side::B)};
 }
 
 QStringList FaceColoring::choices() const {
@@ -235,14 +235,15 @@ void FaceColoring::setRange(double begin, double end) {
   if (isNumbers()) paint();
 }
 
-/// Values of both signs get a range that is symmetric about 0, others begin at 0.
+/// A scan has a neck that no face reaches: the range of a difference is that of A. Values of both signs get a range
+/// that is symmetric about 0, others begin at 0.
 void FaceColoring::growRange() {
   if (!automatic_) {
     if (!(begin_ < end_)) end_ = begin_ + 1.0;
     return;
   }
   for (vtkPolyData* shown : colored()) {
-    if (!array_.find(shown)) continue;
+    if (!array_.find(shown) || (kind_ == Kind::Difference && shown != colored().front())) continue;
     const auto [low, high] = array_.spread(shown);
     const double most = std::max(high, -low);
     end_ = std::max(end_, roundedUp(kind_ == Kind::Difference ? std::max(most, leastDifference)

@@ -11,7 +11,8 @@ namespace mien {
 
 namespace {
 
-constexpr int gap = 10;  // pixels between groups of buttons
+constexpr int gap = 10;         // pixels between groups of buttons
+constexpr int shortTitle = 36;  // pixels
 
 }  // namespace
 
@@ -20,6 +21,7 @@ ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
   setObjectName("card");
   name_->setProperty("heading", true);
   name_->setText(title);
+  name_->setMinimumWidth(shortTitle);
   header_->setContentsMargins(10, 5, 6, 5);
   header_->setSpacing(1);
   header_->addWidget(name_, 1);

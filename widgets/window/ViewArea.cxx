@@ -4,6 +4,7 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <limits>
 
 #include "ColorKey.h"
 #include "ColorScale.h"
@@ -23,8 +24,10 @@ namespace mien {
 namespace {
 
 constexpr int faceShare = 4, curveShare = 3;
-constexpr int manyPixels = 1000;    // shares of a splitter, not pixels
-constexpr int roomForThree = 1300;  // pixels
+constexpr int manyPixels = 1000;       // shares of a splitter, not pixels
+constexpr int roomForThree = 1300;     // pixels
+constexpr int summaryMargin = 12;      // pixels
+constexpr double longestArrow = 20.0;  // mm to a nearest point: beyond, the other has no counterpart, as a neck
 constexpr double arrowFactors[] = {0.0, 1.0, 2.0, 5.0, 10.0};
 
 }  // namespace
@@ -89,7 +92,7 @@ QWidget* ViewArea::splitter() {
 
 void ViewArea::addMeshChoice() {
   mesh_->setObjectName("faceMesh");
-  mesh_->addItems({tr("Shaded"), tr("Wireframe"), tr("Shaded with mesh"), tr("Points")});
+  mesh_->addItems({tr("Shaded"), tr("Wireframe"), tr("Both"), tr("Points")});
   mesh_->setToolTip(tr("The surface lit, the lines of its mesh, both, or its points"));
   connect(mesh_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
     face_->setMesh(static_cast<FaceView::Mesh>(index));
@@ -133,12 +136,7 @@ void ViewArea::addOther() {
   otherFrame_ = new ViewFrame(QString(), other_, this);
   coloring_->setOther(other_);
   otherFrame_->addBelow(coloring_->key());
-  summary_ = new ElidedLabel(otherFrame_);
-  summary_->setObjectName("compareSummary");
-  summary_->setToolTip(
-      tr("How far A and B lie apart, weighted with area; from point to point where they have the "
-         "same mesh, else from each point to the nearest of the other surface"));
-  otherFrame_->addBelow(summary_);
+  for (ViewFrame* frame : {faceFrame_, otherFrame_}) addSummary(frame);
   addOtherButtons();
   overlays_.push_back(new CurveOverlay(comparison_->other(), other_, this));
   arrows_.push_back(new DifferenceArrows(other_, this));
@@ -147,6 +145,18 @@ void ViewArea::addOther() {
   splitter_->setStretchFactor(2, curveShare);
   splitter_->setSizes({faceShare * manyPixels, faceShare * manyPixels, curveShare * manyPixels});
   other_->link(face_);
+}
+
+/// Below both, so that both are of one height.
+void ViewArea::addSummary(ViewFrame* frame) {
+  auto* summary = new ElidedLabel(frame);
+  summary->setObjectName(frame == faceFrame_ ? "compareSummaryA" : "compareSummaryB");
+  summary->setContentsMargins(summaryMargin, 0, summaryMargin, summaryMargin / 2);
+  summary->setToolTip(
+      tr("How far A and B lie apart, weighted with area: from point to point where they have the same mesh, else from "
+         "each point to the nearest of the other surface"));
+  frame->addBelow(summary);
+  summaries_.push_back(summary);
 }
 
 void ViewArea::addOtherButtons() {
@@ -191,10 +201,14 @@ void ViewArea::showCurves() {
 }
 
 void ViewArea::showDifference() {
-  if (!summary_) return;
-  summary_->setText(comparison_->summary());
   const Comparison::Side sides[] = {Comparison::Side::A, Comparison::Side::B};
-  for (size_t i = 0; i < arrows_.size(); ++i) arrows_[i]->show(comparison_->measured(sides[i]), "DistanceVector");
+  for (size_t i = 0; i < summaries_.size(); ++i) {
+    summaries_[i]->setText(comparison_->summary(sides[i]));
+    summaries_[i]->setVisible(comparison_->kind() != Comparison::Kind::None);
+  }
+  const double longest = comparison_->corresponds() ? std::numeric_limits<double>::infinity() : longestArrow;
+  for (size_t i = 0; i < arrows_.size(); ++i)
+    arrows_[i]->show(comparison_->surface(sides[i]), "DistanceVector", longest);
 }
 
 void ViewArea::arrange() {

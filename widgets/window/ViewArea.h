@@ -44,6 +44,7 @@ class ViewArea : public QWidget {
   void addCurveFrame();
   void addOther();
   void addOtherButtons();
+  void addSummary(ViewFrame* frame);
   void followComparison();
   void showCurves();
   void showDifference();
@@ -60,7 +61,7 @@ class ViewArea : public QWidget {
   FaceView* other_ = nullptr;
   std::vector<CurveOverlay*> overlays_;
   std::vector<DifferenceArrows*> arrows_;
-  ElidedLabel* summary_ = nullptr;
+  std::vector<ElidedLabel*> summaries_;
   QComboBox* mesh_;
   QSplitter* splitter_;
   QToolButton* swap_ = nullptr;
