@@ -16,9 +16,9 @@
 #include "FaceScheme.h"
 #include "FaceStateText.h"
 #include "FilterProgress.h"
+#include "MeshReading.h"
 #include "PipelineErrors.h"
 #include "SurfaceDistance.h"
-#include "SurfaceFile.h"
 #include "SurfaceMesh.h"
 
 namespace mien {

@@ -1,7 +1,7 @@
 #include "MeshFile.h"
 
 #include "Failure.h"
-#include "SurfaceFile.h"
+#include "MeshReading.h"
 #include "vtkDataObject.h"
 
 namespace mien {

@@ -1,4 +1,4 @@
-#include "SurfaceFile.h"
+#include "MeshReading.h"
 
 #include <algorithm>
 #include <cctype>
