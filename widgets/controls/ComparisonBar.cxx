@@ -29,7 +29,7 @@ ComparisonBar::ComparisonBar(Comparison* comparison, QWidget* parent)
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   choice_->setMinimumContentsLength(13);
   list();
-  auto* label = new QLabel(tr("Co&mpare with"), this);
+  auto* label = new QLabel(tr("Compare &with"), this);
   label->setBuddy(choice_);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
