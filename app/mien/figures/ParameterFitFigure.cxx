@@ -68,6 +68,7 @@ TextTable coefficientTable(const QuadraticMap& map) {
           .arg(row ? "b" : "a")
           .arg(i + 1)
           .arg(map.coefficients(row, i), 0, 'f', 4)
+          .replace('-', "−")
           .toStdString();
     };
     table.rows.push_back({terms[i], cell(0), cell(1)});

@@ -35,7 +35,7 @@ void FaceOptions::addSurfaceOptions(CLI::App& command) {
   add("-a,--smoothing", smoothing_, "Smoothing parameter a, 0 < a <= 1000: one value, or nine with commas [1]");
   add("-N,--harmonics", harmonics_, "Fourier modes solved exactly, 0 .. K/2 [5]");
   command.add_flag("--no-remainder", noRemainder_, "Leave out the harmonics above N")->group("Face");
-  add("--resolution", resolution_, "Rows x columns of the uv mesh [56x40; shaded pictures 164x160]");
+  add("--resolution", resolution_, resolutionHelp());
   command.add_flag("--uniform-rows", uniformRows_, "Rows at equal u, not dealt to the curves")->group("Face");
   add("--derivative-strength", derivativeStrength_, "Factor on derivative conditions [1]");
   add("--precision", precision_, "single or double [single]");
@@ -82,6 +82,13 @@ void FaceOptions::addTextureOptions(CLI::App& command) {
 void FaceOptions::addAll(CLI::App& command) {
   addSurfaceOptions(command);
   addAnimationOptions(command);
+}
+
+std::string FaceOptions::resolutionHelp() const {
+  const FaceState usual;
+  const std::string size = std::to_string(defaultRows_) + "x" + std::to_string(defaultColumns_);
+  const bool isUsual = defaultRows_ == usual.rows && defaultColumns_ == usual.columns;
+  return "Rows x columns of the uv mesh [" + size + (isUsual ? "; shaded pictures 164x160]" : "]");
 }
 
 void FaceOptions::setDefaultResolution(int rows, int columns) {
