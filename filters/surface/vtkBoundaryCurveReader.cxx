@@ -38,8 +38,9 @@ bool isMeshName(const std::string& name) {
 /// @return nothing, or one sentence that names the file
 std::string readFace(const std::string& name, vtkPolyData* output) {
   if (isMeshName(name))
-    return name + ": this is a mesh; a face is boundary curves in a .vtp or .mienz file, which of a scan mien acquire " + name +
-           " -o FACE.vtp makes";
+    return name +
+           ": this is a mesh; a face is boundary curves in a .vtp or .mienz file, which of a scan mien acquire " +
+           name + " -o FACE.vtp makes";
   vtkNew<vtkXMLPolyDataReader> reader;
   std::string fault = readXML(name, reader);
   if (!fault.empty()) return fault;

@@ -144,7 +144,7 @@ TEST(RenderCommand, SaysWhatIsNoFaceAndWhatIsNoMesh) {
   ASSERT_EQ(runMien({"surface", "-o", mesh}).exitCode, 0);
   const Outcome face = runMien({"render", "--face", mesh, "-o", picture});
   EXPECT_EQ(face.exitCode, 1);
-  for (const char* word : {"face.ply", ".vtp", "mien acquire"})
+  for (const char* word : {"face.ply", ".vtp", ".mienz", "mien acquire"})
     EXPECT_NE(face.errors.find(word), std::string::npos) << face.errors;
   const Outcome moved = runMien({"render", mesh, "--expression", "joy", "-o", picture});
   EXPECT_EQ(moved.exitCode, 2);
