@@ -156,7 +156,7 @@ TEST(FigureCommand, WhatWouldBeCutIsRefusedWithTheWidthThatIsNeeded) {
   const TemporaryFolder folder;
   const std::string file = folder.file("x.svg");
   for (const auto& [id, width] : {std::pair{"fdt-table-1", "84"}, {"pde-9", "60"}, {"pde-8", "50"}}) {
-    const auto result = run({id, "--width", width, "-o", file});
+    const Outcome result = runMien({"figure", id, "--width", width, "-o", file});
     EXPECT_EQ(result.exitCode, 2) << id;
     EXPECT_NE(result.errors.find("needs at least"), std::string::npos) << result.errors;
     EXPECT_FALSE(std::filesystem::exists(file));

@@ -45,7 +45,7 @@ const std::vector<CatalogueFigure> figures = {
      {"--resolution", "--frame", "--index", "--time"},
      1,
      true},
-    {"pde-table-1", sheng + "Table 1", "The six expressions as FAPs", drawExpressionTable, noFace, 60},
+    {"pde-table-1", sheng + "Table 1", "The six expressions as FAPs", drawExpressionTable, noFace},
     {"fdt-2", obaid + "Figure 2", "Points deformed", drawDeformedPoints, deformed},
     {"fdt-3", obaid + "Figure 3", "From points to twelve parameters", drawParameterFit, moved},
     {"fdt-4", obaid + "Figure 4", "The 16 regions", drawRegions, atRest},
