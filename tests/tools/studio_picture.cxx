@@ -1,7 +1,8 @@
 // Draws Mien Studio's window into a PNG file, for the documentation and for looking at it:
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
 // Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200, a=2,
-// file=X.fap, frame=100, range=50:120, dock=plotDock, press=fapAll, scan=X.ply, scale=0.75, wait=2000, measure.
+// file=X.fap, frame=100, range=50:120, dock=plotDock, press=fapAll, menu=editMenu, act (as a user, for undo),
+// scan=X.ply, scale=0.75, wait=2000, measure.
 
 #include <QAbstractButton>
 #include <QAction>
@@ -9,6 +10,10 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QImage>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMouseEvent>
+#include <QPainter>
 #include <QSurfaceFormat>
 #include <QTabBar>
 #include <QTableWidget>
@@ -97,6 +102,30 @@ void clickCell(QWidget& window, const QString& cell) {
   wait(500);
 }
 
+/// What follows is the user's own step.
+void act(mien::StudioWindow& window) {
+  for (QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+    QMouseEvent event(type, {}, Qt::LeftButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &event);
+  }
+}
+
+void openMenu(mien::StudioWindow& window, const QString& name) {
+  auto* menu = window.findChild<QMenu*>(name);
+  const QRect place = window.menuBar()->actionGeometry(menu->menuAction());
+  menu->popup(window.menuBar()->mapToGlobal(place.bottomLeft()));
+  wait(200);
+}
+
+/// The window with what has popped up over it.
+QImage pictureOf(mien::StudioWindow& window) {
+  QPixmap picture = window.grab();
+  QPainter painter(&picture);
+  if (QWidget* popup = QApplication::activePopupWidget())
+    painter.drawPixmap(window.mapFromGlobal(popup->pos()), popup->grab());
+  return picture.toImage().convertToFormat(QImage::Format_RGB888);
+}
+
 void apply(mien::StudioWindow& window, const QString& setting) {
   const QString key = setting.section('=', 0, 0), value = setting.section('=', 1);
   mien::FaceModel& model = window.model();
@@ -122,6 +151,8 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "cell") clickCell(window, value);
   if (key == "choose")
     window.findChild<QComboBox*>(value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
+  if (key == "menu") openMenu(window, value);
+  if (key == "act") act(window);
   if (key == "measure") measure(window);
   if (key == "wait") wait(value.toInt());
   if (key == "file") window.openAnimation(value);
@@ -150,7 +181,7 @@ int main(int argc, char** argv) {
     if (setting.startsWith("scale=")) share = setting.section('=', 1).toDouble();
   }
   wait(500);
-  const QImage picture = window.grab().toImage().convertToFormat(QImage::Format_RGB888);
+  const QImage picture = pictureOf(window);
   const int width = static_cast<int>(share * picture.width());
   constexpr int smallestFile = 0;  // as PNG files have no quality to lose
   const QImage scaled = coarse(picture.scaledToWidth(width, Qt::SmoothTransformation));

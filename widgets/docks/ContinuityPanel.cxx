@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "ContinuityTable.h"
+#include "CsvTable.h"
 #include "ExportButton.h"
 #include "FaceModel.h"
 #include "FaceScheme.h"
@@ -26,7 +27,6 @@
 #include "LiveUpdate.h"
 #include "SeamMeasureKind.h"
 #include "SurfaceParameters.h"
-#include "CsvTable.h"
 
 namespace mien {
 
@@ -149,7 +149,7 @@ void ContinuityPanel::refresh() {
   measure();
   fillTable();
   showProfile();
-  if (overlay_->isShown()) paintFace();
+  if (onFace_->currentIndex() != Skin) paintFace();
 }
 
 /// Only what is seen: all schemes take six times as long.

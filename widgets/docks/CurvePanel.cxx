@@ -23,6 +23,7 @@
 #include "FaceModel.h"
 #include "FramedButton.h"
 #include "ScanPanel.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -151,6 +152,7 @@ void CurvePanel::describeButtons() {
              tr("Points of the curves are dragged with the mouse in the view Curves, in its plane, with this width, "
                 "spread and mirror; Escape cancels a drag"));
   drag_->setCheckable(true);
+  drag_->setProperty(notInSession, true);  // a mode of the mouse
   makeFramed(undo_, "curveUndo", tr("Undo"), tr("Takes the last move back"));
   makeFramed(remove_, "curveRemove", tr("Remove"), tr("Takes the chosen move out of the list"));
   makeFramed(clear_, "curveClear", tr("Remove all"), tr("The curves as they were read"));

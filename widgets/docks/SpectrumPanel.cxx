@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "CsvTable.h"
 #include "ExportButton.h"
 #include "FaceModel.h"
 #include "FaceView.h"
@@ -28,7 +29,6 @@
 #include "LiveUpdate.h"
 #include "SpectrumFigure.h"
 #include "SurfaceParameters.h"
-#include "CsvTable.h"
 
 namespace mien {
 
@@ -152,7 +152,10 @@ void SpectrumPanel::connectControls() {
   connect(figure_, &FigureView::picked, this, [this](double x) { choose(static_cast<int>(std::lround(x))); });
   connect(figure_, &FigureView::stepped, this, [this](int steps) { choose(row_ + steps); });
   connect(partial_, &QCheckBox::toggled, this, [this] { refresh(); });
-  connect(onFace_, &QToolButton::clicked, this, [this](bool on) { on ? paintFace() : overlay_->hide(); });
+  connect(onFace_, &QToolButton::toggled, this, [this](bool on) {
+    if (!on) return overlay_->hide();
+    if (!overlay_->isShown() && (rowCount() > 0 || measure())) paintFace();
+  });
   connect(overlay_, &FaceOverlay::shownChanged, onFace_, &QToolButton::setChecked);
 }
 

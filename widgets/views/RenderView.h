@@ -7,6 +7,8 @@
 #include <QPointer>
 #include <array>
 
+#include "SessionPart.h"
+
 class vtkCamera;
 class vtkGenericOpenGLRenderWindow;
 class vtkRenderer;
@@ -19,7 +21,7 @@ class FaceModel;
 ///
 /// The face, and all that it reaches while it moves, fills the view until the user moves the camera; fit() goes back to
 /// that.
-class RenderView : public QVTKOpenGLNativeWidget {
+class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   Q_OBJECT
  public:
   enum class Side { Front, FortyFive, Profile };
@@ -37,6 +39,11 @@ class RenderView : public QVTKOpenGLNativeWidget {
   void unlink();
   bool isLinked() const { return partner_; }
   vtkCamera* camera() const;
+
+  /// `side`, and where the user has placed the camera `position`, `focus` and `up` (mm).
+  nlohmann::json sessionState() const override;
+  void restoreSession(const nlohmann::json& state) override;
+  bool isUndoable() const override { return false; }
 
   vtkRenderer* renderer() const { return renderer_; }
   void redraw();            ///< with the next paint event

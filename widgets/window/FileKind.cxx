@@ -37,6 +37,11 @@ bool isOther(const QByteArray& head) {
   return false;
 }
 
+/// Or the state of a face, as figures carry it.
+bool isSession(const QByteArray& head) {
+  return head.trimmed().startsWith('{') && (head.contains("\"mien session\"") || head.contains("\"mien_face_state\""));
+}
+
 }  // namespace
 
 FileKind fileKind(const QString& fileName) {
@@ -46,6 +51,7 @@ FileKind fileKind(const QString& fileName) {
   const std::string text = head.toStdString();
   if (isPackedTable(text)) return FileKind::DeformationTable;
   if (isOther(head)) return FileKind::Other;
+  if (isSession(head)) return FileKind::Session;
   if (head.trimmed().startsWith('{')) return FileKind::AnimationTable;
   return kindOfTable(text);
 }

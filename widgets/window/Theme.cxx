@@ -112,10 +112,10 @@ QToolButton:checked:disabled { background: @line; }
 QListWidget#plotFAPs { border: 1px solid @line; border-radius: 4px; }
 QListWidget#plotFAPs::item { color: @faint; }
 QListWidget#plotFAPs::item:selected { color: @text; background: @window; }
-QFrame#messageBar { background: @panel; border: 1px solid @line; border-radius: 6px; }
+QFrame#messageBar, QFrame#recoveryBar { background: @panel; border: 1px solid @line; border-radius: 6px; }
 QFrame#messageBar[severity="error"] { border-left: 4px solid @error; }
 QFrame#messageBar[severity="warning"] { border-left: 4px solid @warning; }
-QFrame#messageBar[severity="note"] { border-left: 4px solid @accent; }
+QFrame#messageBar[severity="note"], QFrame#recoveryBar { border-left: 4px solid @accent; }
 )";
 
 QString styleSheet(const Theme& theme) {
