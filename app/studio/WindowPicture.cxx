@@ -23,6 +23,11 @@ WindowPicture::WindowPicture(StudioWindow& window, const QString& file) : window
   QTimer::singleShot(drawn, this, [this] { take(); });
 }
 
+QString WindowPicture::describeEnding(const QString& file) {
+  return file.endsWith(".png", Qt::CaseInsensitive) ? QString()
+                                                    : file + ": pictures of the window are .png; give such a name";
+}
+
 QString WindowPicture::show(StudioWindow& window, const QString& stateFile) {
   QFile file(stateFile);
   if (!file.open(QIODevice::ReadOnly)) return stateFile + ": " + file.errorString();

@@ -13,6 +13,9 @@ class WindowPicture : public QObject {
  public:
   WindowPicture(StudioWindow& window, const QString& file);
 
+  /// @return nothing, or one sentence when the file is not to be a .png
+  static QString describeEnding(const QString& file);
+
   /// Shows the state of a file written by FaceStateText. @return nothing, or one sentence that says what is wrong
   static QString show(StudioWindow& window, const QString& stateFile);
 

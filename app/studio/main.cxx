@@ -8,11 +8,14 @@
 #include <memory>
 
 #include "AnimationPlayer.h"
+#include "MessageBar.h"
 #include "StudioWindow.h"
 #include "Theme.h"
 #include "WindowPicture.h"
 
 namespace {
+
+constexpr int wrongValue = 2;  // exit code, as of mien
 
 /// While the application begins, Qt ends the program without a display after lines about its plugins.
 void sayWithoutDisplay(QtMsgType type, const QMessageLogContext&, const QString&) {
@@ -45,7 +48,8 @@ struct Options {
       "fat", "Your own animation table, which says what each FAP moves (`mien fat check` tells what is wrong with it).",
       "FILE.json"};
   QCommandLineOption state = {"state", "Shows the face of this file, as figures carry it.", "FILE.json"};
-  QCommandLineOption picture = {"picture", "Writes a picture of the window and ends.", "FILE.png"};
+  QCommandLineOption picture = {
+      "picture", "Writes a picture of the window and ends; needs a display, be it one of Xvfb.", "FILE.png"};
 };
 
 /// Reads the arguments, and ends the program after help or version.
@@ -57,6 +61,26 @@ void read(QCommandLineParser& arguments, const Options& options, const QCoreAppl
   arguments.addHelpOption();
   arguments.addVersionOption();
   arguments.process(application);
+}
+
+int say(const QString& fault, int exitCode) {
+  std::fprintf(stderr, "mien-studio: %s\n", qPrintable(fault));
+  return exitCode;
+}
+
+/// @return whether all that was asked for is open; else the window's message says why not
+bool openFiles(mien::StudioWindow& window, const QCommandLineParser& arguments, const Options& options) {
+  const QStringList files = arguments.positionalArguments();
+  if (arguments.isSet(options.table) && !window.openAnimationTable(arguments.value(options.table))) return false;
+  if (!files.isEmpty() && files.first() == "-") {
+    window.playStream(0);
+  } else if (!files.isEmpty()) {
+    if (!window.openFile(files.first())) return false;
+    if (arguments.isSet(options.play)) window.player().play();
+  } else if (arguments.isSet(options.play)) {
+    window.playDemonstration();
+  }
+  return true;
 }
 
 }  // namespace
@@ -77,25 +101,22 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   qInstallMessageHandler(usual);
   read(arguments, options, application);
+  if (arguments.isSet(options.picture)) {
+    const QString fault = mien::WindowPicture::describeEnding(arguments.value(options.picture));
+    if (!fault.isEmpty()) return say(fault, wrongValue);
+  }
 
   mien::Theme::apply(mien::Theme::Kind::Light, application);
   mien::StudioWindow window;
   window.show();
-  if (arguments.isSet(options.table)) window.openAnimationTable(arguments.value(options.table));
   if (arguments.isSet(options.state)) {
     const QString fault = mien::WindowPicture::show(window, arguments.value(options.state));
-    if (!fault.isEmpty()) return std::fprintf(stderr, "mien-studio: %s\n", qPrintable(fault)), EXIT_FAILURE;
+    if (!fault.isEmpty()) return say(fault, EXIT_FAILURE);
   }
   std::unique_ptr<mien::WindowPicture> picture;
   if (arguments.isSet(options.picture))
     picture = std::make_unique<mien::WindowPicture>(window, arguments.value(options.picture));
-  const QStringList files = arguments.positionalArguments();
-  if (!files.isEmpty() && files.first() == "-") {
-    window.playStream(0);
-  } else if (!files.isEmpty()) {
-    if (window.openFile(files.first()) && arguments.isSet(options.play)) window.player().play();
-  } else if (arguments.isSet(options.play)) {
-    window.playDemonstration();
-  }
+  if (!openFiles(window, arguments, options) && picture)
+    return say(window.findChild<mien::MessageBar*>()->sentence(), EXIT_FAILURE);
   return QApplication::exec();
 }

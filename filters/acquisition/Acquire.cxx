@@ -3,6 +3,7 @@
 #include <memory>
 #include <utility>
 
+#include "CurveCrossings.h"
 #include "FilterProgress.h"
 #include "PipelineErrors.h"
 #include "WholeFile.h"
@@ -69,6 +70,7 @@ std::string measure(const AcquireOptions& options, vtkBoundaryCurveAcquisitionFi
   if (fault.empty() && options.report) fault = measureDistance(filter->GetOutput(), filter->GetOutput(1), result);
   result.report = filter->GetAcquired().report;
   result.crossings = countCrossings(filter->GetAcquired().face.curves);
+  result.crossingCurves = namedCrossings(filter->GetAcquired().face.curves);
   const bool namesLandmarks = !options.landmarkFile.empty() && fault.rfind(options.landmarkFile + ":", 0) == 0;
   return fault.empty() || namesLandmarks ? fault : result.scan + ": " + fault;
 }

@@ -29,7 +29,8 @@ struct AcquireOptions {
 struct AcquireResult {
   std::string scan;
   ScanReport report;
-  int crossings = 0;  ///< of curves, between samples too
+  int crossings = 0;           ///< of curves, between samples too
+  std::string crossingCurves;  ///< which (namedCrossings)
   double frontalRMS = 0.0,
          frontalMaximum = 0.0;  ///< mm, of the spline face (a = 1, N = 5, 224 x 160, z > 50 mm) to the scan
 };
@@ -49,6 +50,9 @@ MIENACQUISITION_EXPORT std::string measureScan(const AcquireOptions& options, co
 
 /// What was found, in lines of text: unit, pose, mesh, landmarks, fit, distance, crossings.
 MIENACQUISITION_EXPORT std::string reportText(const AcquireResult& result);
+
+/// The 4 x 4 matrix from the scan's coordinates to those of the curves, in four more lines.
+MIENACQUISITION_EXPORT std::string matrixText(const ScanReport& report);
 
 /// Reads the scans, measures their boundary curves and writes them as XML polydata (inline, not compressed).
 /// @return nothing, or "FILE[:LINE]: what is wrong and what to do"; no curves are written then

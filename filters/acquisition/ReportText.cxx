@@ -45,7 +45,19 @@ std::string reportText(const AcquireResult& result) {
              r.fitDistance, r.fitRelief, r.fitSize);
   text += line("  distance   frontal spline face to scan %.3f mm RMS, at most %.2f\n", result.frontalRMS,
                result.frontalMaximum);
-  return text + line("  crossings  %d\n", result.crossings);
+  return text + line("  crossings  %d", result.crossings) +
+         (result.crossingCurves.empty() ? "" : ": " + result.crossingCurves) + "\n";
+}
+
+std::string matrixText(const ScanReport& report) {
+  const Similarity& motion = report.scanToFace;
+  std::string text;
+  for (int r = 0; r < 3; ++r) {
+    const Eigen::RowVector3d row = motion.scale * motion.rotation.row(r);
+    text += line("  %s %12.6f %12.6f %12.6f %12.4f\n", r == 0 ? "matrix    " : "          ", row[0], row[1], row[2],
+                 motion.translation[r]);
+  }
+  return text + line("             %12.6f %12.6f %12.6f %12.4f\n", 0.0, 0.0, 0.0, 1.0);
 }
 
 }  // namespace mien

@@ -95,9 +95,23 @@ struct FacePipeline::Internals {
       errors.observe(algorithm);
   }
 
-  /// A face without feature points is still a face: while nothing moves it goes around the animation.
+  /// A face without feature points is still a face: while nothing moves it goes around the animation. So does one that
+  /// the table compiled in does not fit; a table that was asked for is told of.
+  bool goesAround() {
+    if (isAnimated(state) || !errors.first().empty()) return false;
+    if (!canBeAnimated(reader->GetOutput())) return true;
+    if (!state.animationTable.empty()) return false;
+    animation->Update();
+    const bool refused = !errors.first().empty();
+    if (refused) {
+      errors.clear();
+      animation->Modified();  // else it would not look again
+    }
+    return refused;
+  }
+
   void chooseCurves() {
-    const bool around = !isAnimated(state) && !canBeAnimated(reader->GetOutput());
+    const bool around = this->goesAround();
     curves->SetInputConnection((around ? static_cast<vtkAlgorithm*>(edit) : animation)->GetOutputPort());
   }
 

@@ -86,8 +86,8 @@ int vtkImageMeshWarpFilter::RequestData(vtkInformation*, vtkInformationVector** 
   if (fault.empty()) fault = mien::readWarpMesh(vtkStructuredGrid::GetData(inputs[1]), source);
   if (fault.empty()) fault = mien::readWarpMesh(vtkStructuredGrid::GetData(inputs[2]), target);
   if (fault.empty())
-    fault =
-        warp.set(source, target, {image->GetDimensions()[0], image->GetDimensions()[1]}, {whole[1] + 1, whole[3] + 1});
+    fault = warp.set(source, target, {image->GetDimensions()[0], image->GetDimensions()[1]},
+                     {whole[1] + 1, whole[3] + 1}, this->Closed);
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;

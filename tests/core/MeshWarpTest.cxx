@@ -70,6 +70,26 @@ TEST(MeshWarp, OutsideTheTargetTheBorderIsRepeated) {
   EXPECT_EQ(warp.lastColumnAt(0), 70.0);
 }
 
+/// A head that leans has its left border lower than its right one; at the back both must be one.
+TEST(MeshWarp, ClosedColumnsMeetAtTheBack) {
+  WarpMesh from = evenMesh(4, 5, 100, 80), to = from;
+  from.y = 20.0 + 0.5 * from.y.array() + 0.15 * from.x.array();
+  to.x = 25.0 + 0.5 * from.x.array();
+  MeshWarp warp;
+  std::vector<double> first(81), last(81), border(81), inside(81);
+  for (const bool closed : {true, false}) {
+    ASSERT_EQ(warp.set(from, to, {100, 80}, {200, 80}, closed), "");
+    warp.columnBorders(0, 0, 81, first.data());
+    warp.columnBorders(199, 0, 81, last.data());
+    double seam = 0.0;
+    for (int i = 0; i <= 80; ++i) seam = std::max(seam, std::abs(first[i] - last[i]));
+    EXPECT_TRUE(closed ? seam < 0.3 : seam > 14.0) << seam;
+    warp.columnBorders(151, 0, 81, border.data());
+    warp.columnBorders(148, 0, 81, inside.data());
+    for (int i = 0; i <= 80; ++i) EXPECT_NEAR(border[i], inside[i], 0.5) << "from the mesh's border on";
+  }
+}
+
 TEST(MeshWarp, FoldedMeshesAreRefusedByName) {
   const WarpMesh even = evenMesh(4, 5, 100, 80);
   WarpMesh folded = even;

@@ -42,6 +42,34 @@ TEST(RadialSkin, SaysWhereThereIsNoSkin) {
   EXPECT_TRUE(std::isnan(RadialSkin(mesh, head.axis).radius(0.5, 500.0)));
 }
 
+TEST(RadialSkin, BridgesHolesOnAFlatBrow) {
+  const SyntheticHead head = ellipticHead();
+  const TriangleMesh whole = head.mesh();
+  for (const double radius : {6.0, 9.0, 12.0, 15.0}) {
+    const Eigen::Vector3d middle = head.axis.point(0.1, 60.0, head.radius(0.1, 60.0));
+    std::vector<Eigen::Vector3i> kept;
+    for (int t = 0; t < whole.triangles.rows(); ++t) {
+      const Eigen::RowVector3d centre =
+          (whole.vertices.row(whole.triangles(t, 0)) + whole.vertices.row(whole.triangles(t, 1)) +
+           whole.vertices.row(whole.triangles(t, 2))) /
+          3.0;
+      if ((centre.transpose() - middle).norm() > radius) kept.emplace_back(whole.triangles.row(t));
+    }
+    TriangleMesh mesh = whole;
+    mesh.triangles.resize(static_cast<int>(kept.size()), 3);
+    for (size_t t = 0; t < kept.size(); ++t) mesh.triangles.row(static_cast<int>(t)) = kept[t];
+    const RadialSkin skin(mesh, head.axis);
+    int missing = 0;
+    for (double azimuth = -0.1; azimuth < 0.3; azimuth += 0.013)
+      for (double y = 42.0; y < 78.0; y += 1.3) {
+        missing += std::isnan(skin.radius(azimuth, y));
+        EXPECT_NEAR(skin.filledRadius(azimuth, y), head.radius(azimuth, y), 0.1)
+            << "hole of " << radius << " mm, azimuth " << azimuth << ", height " << y;
+      }
+    EXPECT_GT(missing, 10);
+  }
+}
+
 TEST(RadialSkin, DescribesUnusableMeshes) {
   TriangleMesh mesh = ellipticHead().mesh();
   EXPECT_EQ(describeFault(mesh), "");

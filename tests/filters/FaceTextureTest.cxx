@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "CommaText.h"
 #include "FaceFiles.h"
 #include "FaceTexture.h"
 #include "FaceWarpLayout.h"
 #include "ImageFile.h"
+#include "LineReader.h"
+#include "ReferenceData.h"
 #include "TemporaryFolder.h"
 #include "TestImages.h"
 #include "TextFile.h"
@@ -12,6 +15,7 @@
 #include "vtkBoundaryCurveReader.h"
 #include "vtkFaceWarpMeshFilter.h"
 #include "vtkJPEGWriter.h"
+#include "vtkPLYReader.h"
 #include "vtkPNGWriter.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTIFFWriter.h"
@@ -45,6 +49,31 @@ struct Photograph {
       }
   }
 };
+
+constexpr double pixelsPerMillimetre = 4.0;
+
+/// The 68 landmarks of a reference head as a picture from the front has them.
+ImageLandmarks frontLandmarks(const std::string& head) {
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName(referencePath("heads/" + head + "_neutral.ply").c_str());
+  reader->Update();
+  const std::string text = readTextFile(referencePath("heads/landmarks68.csv"));
+  LineReader lines(text);
+  ImageLandmarks landmarks;
+  lines.next();
+  while (lines.next()) {
+    const std::vector<std::string> cells = splitAtCommas(lines.line());
+    const double* p = reader->GetOutput()->GetPoint(std::stoi(cells[1]));
+    landmarks[cells[0]] = {500.0 + pixelsPerMillimetre * p[0], 500.0 - pixelsPerMillimetre * p[1]};
+  }
+  return landmarks;
+}
+
+std::vector<std::string> headNames() {
+  std::vector<std::string> names = {"generic", "mean"};
+  for (int i = 1; i <= 12; ++i) names.push_back((i < 10 ? "subject0" : "subject") + std::to_string(i));
+  return names;
+}
 
 template <typename Writer>
 void write(vtkImageData* image, const std::string& file) {
@@ -89,20 +118,54 @@ TEST(FaceWarpLayout, TwentyFivePointsGiveTheirMesh) {
     const Photograph photograph(turn, 0.6);
     WarpMesh mesh;
     ASSERT_EQ(photographMesh(layoutOf(Kind::SevenBySeven), photograph.face, photograph.landmarks, 640, 840, mesh), "");
-    EXPECT_LT((mesh.x - photograph.places.x).cwiseAbs().maxCoeff(), 1e-6)
-        << "an affine picture of the face is followed to its border";
-    EXPECT_LT((mesh.y - photograph.places.y).cwiseAbs().maxCoeff(), 1e-6);
+    for (int i = 0; i < 49; ++i) {
+      const double off = std::hypot(mesh.x(i / 7, i % 7) - photograph.places.x(i / 7, i % 7),
+                                    mesh.y(i / 7, i % 7) - photograph.places.y(i / 7, i % 7));
+      EXPECT_LT(off, mesh.names[i].empty() ? 0.075 * 65.0 * 4.0 * 0.6 : 1e-6)
+          << "the 25 are met, the border lies 7 % of the half width within";
+    }
     ASSERT_EQ(photographMesh(layoutOf(Kind::Fine), photograph.face, photograph.landmarks, 640, 840, mesh), "");
   }
 }
 
+/// With points on 13 heads the mesh ends inside the face as with 68 landmarks, which mark the jaw line.
+TEST(FaceWarpLayout, TheSidesOfTwentyFivePointsLieInsideTheFace) {
+  MIEN_REQUIRE_REFERENCE("heads/landmarks68.csv");
+  const FaceCurves face = genericFace();
+  const FaceWarpLayout paper = layoutOf(Kind::SevenBySeven), fine = layoutOf(Kind::Fine);
+  for (const std::string& head : headNames()) {
+    const ImageLandmarks marks = frontLandmarks(head);
+    WarpMesh places, jaw, mesh;
+    ASSERT_EQ(photographMesh(paper, face, marks, 1000, 1000, places), "");
+    ASSERT_EQ(photographMesh(fine, face, marks, 1000, 1000, jaw), "");
+    ImageLandmarks points;
+    for (int i = 0; i < 49; ++i)
+      if (!places.names[i].empty()) points[places.names[i]] = {places.x(i / 7, i % 7), places.y(i / 7, i % 7)};
+    ASSERT_EQ(photographMesh(fine, face, points, 1000, 1000, mesh), "") << head;
+    const Eigen::Index last = mesh.columns() - 1;
+    EXPECT_LT((jaw.x.col(0) - mesh.x.col(0)).maxCoeff(), 4.0 * pixelsPerMillimetre) << head;
+    EXPECT_LT((mesh.x.col(last) - jaw.x.col(last)).maxCoeff(), 4.0 * pixelsPerMillimetre) << head;
+    EXPECT_LT((mesh.x.col(0) - jaw.x.col(0)).maxCoeff(), 10.0 * pixelsPerMillimetre) << "and not far inside";
+  }
+}
+
 TEST(FaceWarpLayout, LandmarksThatAreMissingOrSwappedAreNamed) {
-  Photograph photograph;
+  Photograph photograph(0.0, 0.6);
   WarpMesh mesh;
   const auto fault = [&] {
     return photographMesh(layoutOf(Kind::SevenBySeven), photograph.face, photograph.landmarks, 640, 840, mesh);
   };
-  std::swap(photograph.landmarks["8.1"], photograph.landmarks["9.12"]);
+  const Eigen::Vector2d cheek = photograph.landmarks["5.4"];
+  photograph.landmarks["5.4"].x() -= 48.0;  // 20 mm
+  EXPECT_NE(fault().find("landmark 5.4 lies 48 pixels from where the others put it, about x = " +
+                         std::to_string(std::lround(cheek.x()))),
+            std::string::npos)
+      << fault();
+  photograph.landmarks["5.4"] = cheek;
+  std::swap(photograph.landmarks["8.1"], photograph.landmarks["8.2"]);
+  EXPECT_EQ(fault().rfind("landmark 8.", 0), 0u) << fault();
+  std::swap(photograph.landmarks["8.1"], photograph.landmarks["8.2"]);
+  std::swap(photograph.landmarks["3.2"], photograph.landmarks["3.4"]);  // lids, 9 mm apart
   EXPECT_NE(fault().find("folded: rows"), std::string::npos) << fault();
   photograph.landmarks.erase("8.1");
   EXPECT_NE(fault().find("landmark 8.1 is missing"), std::string::npos) << fault();
@@ -112,6 +175,22 @@ TEST(FaceWarpLayout, LandmarksThatAreMissingOrSwappedAreNamed) {
   bare.features.clear();
   FaceWarpLayout layout;
   EXPECT_NE(layout.set(Kind::SevenBySeven, bare).find("4.6"), std::string::npos);
+}
+
+TEST(FaceWarpLayout, LandmarksBeyondThePictureAreRefused) {
+  Photograph photograph(0.0, 0.6);
+  WarpMesh mesh;
+  for (auto& [name, point] : photograph.landmarks) point *= 2.0;
+  const FaceWarpLayout layout = layoutOf(Kind::Fine);
+  const std::string fault = photographMesh(layout, photograph.face, photograph.landmarks, 640, 840, mesh);
+  const Eigen::Vector2d brow = photograph.landmarks["4.3"];
+  EXPECT_EQ(fault.rfind("landmark 4.3 lies at x = " + std::to_string(std::lround(brow.x())) + ", y = ", 0), 0u)
+      << fault;
+  EXPECT_NE(fault.find("beyond the picture of 640 x 840 pixels"), std::string::npos) << fault;
+  photograph.landmarks = {{"0", {1, 2}}, {"10", {5, 5}}, {"9", {700, 2}}, {"11", {-1, 2}}};
+  EXPECT_EQ(photographMesh(layout, photograph.face, photograph.landmarks, 640, 840, mesh).rfind("landmark 9 lies", 0),
+            0u)
+      << "the first by number";
 }
 
 TEST(FaceWarpMeshFilter, GivesTheMeshOfTheCurves) {
@@ -131,7 +210,7 @@ TEST(FaceWarpMeshFilter, GivesTheMeshOfTheCurves) {
 /// Red on the subject's right, which is left in the picture; green on the left; blue above the eyes.
 TEST(FaceTexture, SidesAreNotMirroredAndTheTopIsUp) {
   const TemporaryFolder folder;
-  Photograph photograph;
+  const Photograph photograph;
   auto image = wavyImage(640, 840, VTK_UNSIGNED_CHAR, 3, 0.0);
   for (int y = 0; y < 840; ++y)
     for (int x = 0; x < 640; ++x) {

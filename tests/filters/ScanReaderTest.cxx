@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "PipelineErrors.h"
@@ -95,4 +96,47 @@ TEST(ScanReader, NegativeCountsAreRefused) {
     EXPECT_NE(errorOf(writeFile("negative.off", std::string("OFF\n") + counts + "\n0 0 0\n")).find("fewer than none"),
               std::string::npos)
         << counts;
+}
+
+TEST(ScanReader, RefusesVerticesThatAreNoNumbersWithTheirLine) {
+  for (const std::string vertex : {"v nan 0 0", "v 0 inf 0", "v 0 0", "v 1 2 three"}) {
+    const std::string file = writeFile("hole.obj", "v 0 0 0\nv 2 0 0\n" + vertex + "\nv 2 3 0\nv 0 3 0\nf 1 2 4 5\n");
+    EXPECT_NE(errorOf(file).find(file + ": line 3: a vertex that is not a finite number"), std::string::npos)
+        << errorOf(file);
+  }
+  EXPECT_NE(errorOf(writeFile("nan.off", "OFF\n3 1 0\n0 0 0\n2 nan 0\n2 3 0\n3 0 1 2\n")).find("line 4: a vertex"),
+            std::string::npos);
+}
+
+TEST(ScanReader, RefusesFacesWithCornersThatAreNoVertices) {
+  const std::string places = "v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\n";
+  const std::string obj = errorOf(writeFile("far.obj", places + "f 1 2 3 4\nf 1 2 5\nf 0 1 2\n"));
+  EXPECT_NE(obj.find("line 6: a face has the corner 5, but there are 4 vertices (2 faces are like that)"),
+            std::string::npos)
+      << obj;
+  const std::string off = errorOf(writeFile("far.off", "OFF\n3 2 0\n0 0 0\n2 0 0\n2 3 0\n3 0 1 2\n3 0 1 7\n"));
+  EXPECT_NE(off.find("line 7: a face has the corner 7, but there are 3 vertices;"), std::string::npos) << off;
+  const std::string header =
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 2\nproperty list "
+      "uchar int vertex_indices\nend_header\n";
+  const std::string text =
+      errorOf(writeFile("far.ply", "ply\nformat ascii 1.0\n" + header + "0 0 0\n2 0 0\n2 3 0\n3 0 1 2\n3 0 -1 2\n"));
+  EXPECT_NE(text.find("line 14: a face has the corner -1"), std::string::npos) << text;
+  std::string bytes = "ply\nformat binary_little_endian 1.0\n" + header + std::string(36, '\0');
+  for (const char corner : {'\2', '\3'}) bytes += std::string("\3\0\0\0\0\1\0\0\0", 9) + corner + std::string(3, '\0');
+  const std::string binary = errorOf(writeFile("far_binary.ply", bytes));
+  EXPECT_NE(binary.find("face 1: a face has the corner 3"), std::string::npos) << binary;
+}
+
+TEST(ScanReader, CornersCountedFromTheEndAndLaterVerticesAreNoFault) {
+  expectTwoTriangles(writeFile("back.obj", "v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\nvt 0 0\nf -4/1 -3/1 -2/1 -1/1\n"));
+}
+
+TEST(ScanReader, TellsFoldersAndFilesOfAnotherFormat) {
+  const TemporaryFolder folder;
+  const std::string named = folder.file("head.ply");
+  std::filesystem::create_directory(named);
+  EXPECT_NE(errorOf(named).find("it is a folder"), std::string::npos);
+  EXPECT_NE(errorOf(writeFile("words.ply", "a letter\n")).find("this is no PLY file"), std::string::npos);
+  EXPECT_NE(errorOf(writeFile("words.stl", "a letter\n")).find("this is no STL file"), std::string::npos);
 }

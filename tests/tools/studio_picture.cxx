@@ -1,8 +1,8 @@
 // Draws Mien Studio's window into a PNG file, for the documentation and for looking at it:
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
-// Settings: dark, side, fortyfive, wireframe, both, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200, a=2,
-// file=X.fap, frame=100, range=50:120, dock=plotDock, press=fapAll, menu=editMenu, act (as a user, for undo),
-// scan=X.ply, scale=0.75, wait=2000, measure.
+// Settings: dark, side, fortyfive, mesh=2, color=Patches, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200,
+// a=2, file=X.fap, frame=100, range=50:120, dock=plotDock, press=fapAll, scan=X.ply, scale=0.75, wait=2000, measure,
+// menu=editMenu, act (what follows is a step of undo).
 
 #include <QAbstractButton>
 #include <QAction>
@@ -132,8 +132,8 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "dark") window.findChild<QAction*>("actionDark")->trigger();
   if (key == "side") click(window, "lookSide");
   if (key == "fortyfive") click(window, "lookFortyFive");
-  if (key == "wireframe") click(window, "meshWireframe");
-  if (key == "both") click(window, "meshBoth");
+  if (key == "mesh") window.findChild<QComboBox*>("faceMesh")->setCurrentIndex(value.toInt());
+  if (key == "color") window.findChild<QComboBox*>("colorBy")->setCurrentText(value);
   if (key == "unlinked") click(window, "curveLink");
   if (key == "tab") window.findChild<QTabBar*>("fapTabs")->setCurrentIndex(value.toInt());
   if (key == "expression") model.change([&](mien::FaceState& state) { state.expressions[value.toStdString()] = 1.0; });

@@ -5,6 +5,7 @@
 
 #include "FigureApplication.h"
 #include "FigureFile.h"
+#include "OverlaidPanel.h"
 #include "PicturePanel.h"
 #include "PlaneAxes.h"
 #include "PlaneDrawingPainter.h"
@@ -139,3 +140,35 @@ TEST_F(PlatePainter, AStrokeWithoutWidthIsNotDrawn) {
 }
 
 }  // namespace
+
+TEST(OverlaidPanel, TheDrawingLiesOnItsPicture) {
+  QImage picture(200, 120, QImage::Format_RGB888);
+  picture.fill(Qt::white);
+  mien::PlaneDrawing drawing;
+  drawing.marks.push_back({{20.0, 100.0}, 2.0, {Qt::red, 0.1, false, Qt::red}});  // 20 from the left, 20 from the top
+  const mien::PlatePanel panel = mien::overlaidPanel("", picture, drawing);
+  QImage drawn(2000, 1200, QImage::Format_RGB888);
+  drawn.fill(Qt::white);
+  QPainter painter(&drawn);
+  panel.paint(painter, QRectF(0, 0, 2000, 1200), *mien::FigureTheme::find("light"));
+  painter.end();
+  double x = 0.0, y = 0.0, count = 0.0;
+  for (int row = 0; row < 1200; ++row)
+    for (int column = 0; column < 2000; ++column)
+      if (drawn.pixelColor(column, row).green() < 100) x += column + 0.5, y += row + 0.5, ++count;
+  ASSERT_GT(count, 0.0);
+  EXPECT_NEAR(x / count, 200.0, 1.0);
+  EXPECT_NEAR(y / count, 200.0, 1.0);
+}
+
+TEST(FigureTheme, SeriesColoursOfTheLightThemeBecomeTheThemesOwn) {
+  const mien::FigureTheme &light = *mien::FigureTheme::find("light"), &dark = *mien::FigureTheme::find("dark"),
+                          &print = *mien::FigureTheme::find("print");
+  for (std::size_t i = 0; i < light.series.size(); ++i) {
+    EXPECT_EQ(light.own(light.series[i]), light.series[i]);
+    EXPECT_EQ(dark.own(light.series[i]), dark.series[i]);
+  }
+  EXPECT_EQ(print.own(light.series[0]), light.series[0]) << "a colour that the theme has itself stays";
+  EXPECT_EQ(dark.own(QColor(1, 2, 3)), QColor(1, 2, 3));
+  EXPECT_FALSE(dark.own(QColor()).isValid());
+}

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
 #include <QElapsedTimer>
@@ -42,7 +43,7 @@ std::string stateOf(mien::StudioWindow& window) {
 
 void changeByHand(mien::StudioWindow& window) {
   QTest::mouseClick(window.findChild<QPushButton*>("expression_joy"), Qt::LeftButton);
-  QTest::mouseClick(window.findChild<QToolButton*>("meshWireframe"), Qt::LeftButton);
+  QTest::keyClick(window.findChild<QComboBox*>("faceMesh"), Qt::Key_Down);
   QTest::qWait(0);
 }
 
@@ -115,7 +116,7 @@ TEST_F(Killed, WhatItShowedIsOfferedAtTheNextStartAndRestored) {
   EXPECT_FALSE(bar(*start())->isVisible()) << "in a second window that starts meanwhile";
   QTest::mouseClick(window->findChild<QToolButton*>("recoveryRestore"), Qt::LeftButton);
   EXPECT_EQ(stateOf(*window), told().toStdString());
-  EXPECT_TRUE(window->findChild<QToolButton*>("meshWireframe")->isChecked());
+  EXPECT_EQ(window->findChild<QComboBox*>("faceMesh")->currentIndex(), 1);
   EXPECT_TRUE(window->document().isModified());
   EXPECT_FALSE(bar(*window)->isVisible());
   EXPECT_EQ(kept(), QStringList());

@@ -265,7 +265,7 @@ TEST_F(Session, AsksOnceWhereChangesWouldBeLost) {
   EXPECT_TRUE(window->document().mayClose());
   EXPECT_EQ(asked, 0);
   QTest::mouseClick(find<QPushButton>("surfaceReset"), Qt::LeftButton);
-  QTest::mouseClick(find<QToolButton>("meshWireframe"), Qt::LeftButton);
+  QTest::keyClick(find<QComboBox>("faceMesh"), Qt::Key_Down);
   settle();
   EXPECT_TRUE(window->isWindowModified());
   EXPECT_FALSE(window->close());

@@ -25,6 +25,7 @@
 #include "FigureView.h"
 #include "FlipBox.h"
 #include "LiveUpdate.h"
+#include "RoundedUp.h"
 #include "SeamMeasureKind.h"
 #include "SurfaceParameters.h"
 
@@ -44,13 +45,6 @@ double largestOf(const SeamProfile& profile) {
   for (double value : profile.value)
     if (std::isfinite(value)) largest = std::max(largest, value);
   return largest;
-}
-
-double roundedUp(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (double step : {1.0, 2.0, 5.0})
-    if (step * decade >= value) return step * decade;
-  return 10.0 * decade;
 }
 
 }  // namespace

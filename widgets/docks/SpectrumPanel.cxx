@@ -27,6 +27,7 @@
 #include "FaceView.h"
 #include "FigureView.h"
 #include "LiveUpdate.h"
+#include "RoundedUp.h"
 #include "SpectrumFigure.h"
 #include "SurfaceParameters.h"
 
@@ -74,14 +75,6 @@ void leaveRoomBelow(Chart& chart) {
   if (largest <= manyTimes * least) return;
   chart.y.scale = ChartAxis::Scale::Logarithmic;
   chart.y.begin = room * least;
-}
-
-/// The next of 1, 2, 5, 10 .. that is not smaller.
-double roundedUp(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-9))));
-  for (double step : {1.0, 2.0, 5.0})
-    if (step * decade >= value) return step * decade;
-  return 10.0 * decade;
 }
 
 }  // namespace

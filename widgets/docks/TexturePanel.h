@@ -26,6 +26,9 @@ class TexturePanel : public QWidget {
   void open(const QString& fileName);  ///< a photograph, a mesh or a list of landmarks
   bool save(const QString& fileName);
 
+  /// Asks, before the window closes, what becomes of a mesh that was moved and not saved. @return whether to close
+  bool mayClose();
+
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -42,6 +45,7 @@ class TexturePanel : public QWidget {
   void chooseSaved();
   void showPhotograph();
   void showChosen();
+  bool isUnsaved() const;
   QString unsavedText() const;
 
   FaceModel* model_;

@@ -1,6 +1,7 @@
 #include "FigureTheme.h"
 
 #include <QtMath>
+#include <algorithm>
 
 namespace mien {
 
@@ -39,6 +40,14 @@ const std::vector<FigureTheme>& FigureTheme::all() {
                                                    0.9,
                                                    0.4}};
   return themes;
+}
+
+QColor FigureTheme::own(const QColor& color) const {
+  if (!color.isValid() || std::find(series.begin(), series.end(), color) != series.end()) return color;
+  const std::vector<QColor>& light = find("light")->series;
+  const auto found = std::find(light.begin(), light.end(), color);
+  const std::size_t index = found - light.begin();
+  return index < series.size() ? series[index] : color;
 }
 
 const FigureTheme* FigureTheme::find(const std::string& name) {

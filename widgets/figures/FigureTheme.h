@@ -26,6 +26,9 @@ struct FigureTheme {
   double lineWidth = 1.0;  ///< pt
   double axisWidth = 0.5;  ///< pt
 
+  /// This theme's own for a series colour of the light theme; other colours, and those it has itself, as they are.
+  QColor own(const QColor& color) const;
+
   static const std::vector<FigureTheme>& all();
 
   /// The theme of that name, or nullptr.

@@ -14,7 +14,8 @@ PlatePanel overlaidPanel(const std::string& heading, const QImage& picture, cons
                                                       const FigureTheme& theme) {
     below(painter, place, theme);
     painter.setClipRect(place, Qt::IntersectClip);
-    PlaneDrawingPainter(drawing, place, shown).paint(painter, theme);
+    const FigureTheme& onPicture = *FigureTheme::find("light");  // what lies behind is the picture, not the page
+    PlaneDrawingPainter(drawing, place, shown, PlaneDrawingPainter::Margin::None).paint(painter, onPicture);
   };
   return panel;
 }

@@ -7,7 +7,8 @@
 
 namespace mien {
 
-/// How the strokes of a drawing look. Colours left invalid are the theme's text colour.
+/// How the strokes of a drawing look. Colours left invalid are the theme's text colour; series colours of the light
+/// theme become those of the theme that draws (FigureTheme::own).
 struct PlaneStroke {
   QColor color = {};
   double width = 0.6;  ///< pt; 0: none

@@ -19,7 +19,7 @@ constexpr double haloWidth = 1.6;                          // pt, around a label
 
 QPen penOf(const PlaneStroke& stroke, const FigureTheme& theme) {
   if (stroke.width <= 0.0) return Qt::NoPen;  // Qt draws a hairline
-  QPen pen(stroke.color.isValid() ? stroke.color : theme.text, figureUnitsFromPoints(stroke.width));
+  QPen pen(stroke.color.isValid() ? theme.own(stroke.color) : theme.text, figureUnitsFromPoints(stroke.width));
   pen.setJoinStyle(Qt::RoundJoin);
   pen.setCapStyle(Qt::RoundCap);
   if (stroke.dashed) pen.setDashPattern({4.0, 3.0});
@@ -52,9 +52,9 @@ void paintHalo(QPainter& painter, const FigureTheme& theme, const QFont& font, c
 }  // namespace
 
 PlaneDrawingPainter::PlaneDrawingPainter(const PlaneDrawing& drawing, const QRectF& place,
-                                         const std::optional<QRectF>& shown)
+                                         const std::optional<QRectF>& shown, Margin margin)
     : drawing_(drawing) {
-  const QRectF part = grown(shown.value_or(drawing.bounds()));
+  const QRectF all = shown.value_or(drawing.bounds()), part = margin == Margin::Around ? grown(all) : all;
   scale_ = std::min(place.width() / std::max(part.width(), 1e-9), place.height() / std::max(part.height(), 1e-9));
   origin_ = place.center() - QPointF(scale_ * part.center().x(), -scale_ * part.center().y());
 }
@@ -67,20 +67,20 @@ void PlaneDrawingPainter::paintLine(QPainter& painter, const FigureTheme& theme,
   QPolygonF points;
   for (const QPointF& point : line.points) points << position(point);
   painter.setPen(penOf(line.stroke, theme));
-  painter.setBrush(line.stroke.fill.isValid() ? QBrush(line.stroke.fill) : QBrush(Qt::NoBrush));
+  painter.setBrush(line.stroke.fill.isValid() ? QBrush(theme.own(line.stroke.fill)) : QBrush(Qt::NoBrush));
   if (line.closed || line.stroke.fill.isValid())
     painter.drawPolygon(points);
   else
     painter.drawPolyline(points);
   if (!line.arrow || points.size() < 2) return;
   painter.setPen(Qt::NoPen);
-  painter.setBrush(line.stroke.color.isValid() ? line.stroke.color : theme.text);
+  painter.setBrush(line.stroke.color.isValid() ? theme.own(line.stroke.color) : theme.text);
   painter.drawPolygon(arrowHead(points[points.size() - 2], points.last()));
 }
 
 void PlaneDrawingPainter::paintMark(QPainter& painter, const FigureTheme& theme, const PlaneDrawing::Mark& mark) const {
   painter.setPen(penOf(mark.stroke, theme));
-  painter.setBrush(mark.stroke.fill.isValid() ? QBrush(mark.stroke.fill) : QBrush(Qt::NoBrush));
+  painter.setBrush(mark.stroke.fill.isValid() ? QBrush(theme.own(mark.stroke.fill)) : QBrush(Qt::NoBrush));
   const double radius = figureUnitsFromPoints(mark.radius);
   painter.drawEllipse(position(mark.at), radius, radius);
 }
@@ -99,7 +99,7 @@ void PlaneDrawingPainter::paintLabel(QPainter& painter, const FigureTheme& theme
   if (alignment & Qt::AlignBottom) place.ry() -= 0.5 * font.pixelSize() + gap;
   if (label.halo) paintHalo(painter, theme, font, place, label.text);
   painter.setFont(font);
-  painter.setPen(label.color.isValid() ? label.color : theme.text);
+  painter.setPen(label.color.isValid() ? theme.own(label.color) : theme.text);
   painter.drawText(place, label.text);
 }
 

@@ -14,8 +14,12 @@ namespace mien {
 /// Paints a plane drawing into a rectangle, with one scale for x and y; widths of lines and type keep their size.
 class PlaneDrawingPainter {
  public:
+  enum class Margin { Around, None };
+
   /// @param shown  what part of the plane fills the rectangle; none: all of the drawing
-  PlaneDrawingPainter(const PlaneDrawing& drawing, const QRectF& place, const std::optional<QRectF>& shown = {});
+  /// @param margin  a little air around it, or none, over a picture that fills the rectangle
+  PlaneDrawingPainter(const PlaneDrawing& drawing, const QRectF& place, const std::optional<QRectF>& shown = {},
+                      Margin margin = Margin::Around);
 
   void paint(QPainter& painter, const FigureTheme& theme) const;
 

@@ -12,7 +12,7 @@ namespace mien {
 
 namespace {
 
-constexpr double headingSize = 7.5, remarkSize = 7.0;  // pt
+constexpr double headingSize = 6.5, remarkSize = 7.0;  // pt
 constexpr double outlineWidth = 0.7, seamWidth = 0.5;  // pt
 constexpr double landmarkWidth = 0.6;                  // pt
 constexpr double seamShare = 0.30, landmarkShare = 0.60,

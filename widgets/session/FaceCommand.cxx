@@ -14,8 +14,8 @@ namespace mien {
 namespace {
 
 constexpr double degreesPerRadian = 180.0 / M_PI;
-constexpr long steepest = 89;  // degrees that --view takes
-constexpr const char* styles[] = {"shaded", "wireframe", "both"};
+constexpr long steepest = 89;                                    // degrees that --view takes
+constexpr const char* styles[] = {"", "wireframe", "both", ""};  // of FaceView::Mesh; of points there is none
 
 /// AZIMUTH:ELEVATION of the camera around the head, whole degrees; empty from the front.
 std::string viewText(const FaceView& view) {
@@ -33,10 +33,8 @@ std::string viewText(const FaceView& view) {
 QString renderCommand(const FaceModel& model, const FaceView& view) {
   std::vector<std::string> words = {"mien", "render"};
   for (const std::string& word : faceArguments(model.lastingState())) words.push_back(word);
-  if (view.mesh() != FaceView::Mesh::Shaded) {
-    words.push_back("--style");
-    words.push_back(styles[static_cast<int>(view.mesh())]);
-  }
+  const std::string style = styles[static_cast<int>(view.mesh())];
+  if (!style.empty()) words.insert(words.end(), {"--style", style});
   if (const std::string direction = viewText(view); !direction.empty()) words.push_back("--view=" + direction);
   words.push_back("-o");
   words.push_back("face.png");

@@ -1,18 +1,13 @@
 #include "FaceOverlay.h"
 
 #include <vtkActor.h>
-#include <vtkColorTransferFunction.h>
-#include <vtkLookupTable.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkScalarBarActor.h>
 #include <vtkShaderProperty.h>
-#include <vtkTextProperty.h>
 
 #include <QEvent>
-#include <iterator>
 
 #include "FaceView.h"
 #include "Theme.h"
@@ -21,28 +16,8 @@ namespace mien {
 
 namespace {
 
-constexpr int viridis[] = {0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
-constexpr int blueToOrange[] = {0x16467f, 0x3b7bb8, 0x8fb8dc, 0xf2f2ef, 0xf0b27f, 0xd4772f, 0x8a4206};
-constexpr int steps = 256;
 constexpr float lineWidth = 5.0f;        // pixels
 constexpr double towardsCamera = -60.0;  // depth units by which lines lie before the skin that they are on
-
-double part(int color, int shift) {
-  return ((color >> shift) & 0xff) / 255.0;
-}
-
-template <size_t count>
-void fill(vtkLookupTable* table, const int (&colors)[count]) {
-  vtkNew<vtkColorTransferFunction> function;
-  for (size_t i = 0; i < count; ++i)
-    function->AddRGBPoint(i / (count - 1.0), part(colors[i], 16), part(colors[i], 8), part(colors[i], 0));
-  table->SetNumberOfTableValues(steps);
-  for (int i = 0; i < steps; ++i) {
-    double color[3];
-    function->GetColor(i / (steps - 1.0), color);
-    table->SetTableValue(i, color[0], color[1], color[2]);
-  }
-}
 
 void setMatt(vtkActor* actor) {
   actor->GetProperty()->SetAmbient(0.12);
@@ -64,15 +39,6 @@ FaceOverlay::FaceOverlay(FaceView* view, QObject* parent) : QObject(parent), vie
   lines_->GetProperty()->SetLineWidth(lineWidth);
   lineMapper_->SetResolveCoincidentTopologyToPolygonOffset();
   lineMapper_->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, towardsCamera);
-  bar_->SetLookupTable(colors_);
-  bar_->SetOrientationToVertical();  // beside the face, not on its chin
-  bar_->SetNumberOfLabels(5);
-  bar_->SetLabelFormat("%.3g");
-  bar_->SetPosition(0.02, 0.12);
-  bar_->SetPosition2(0.2, 0.76);
-  bar_->SetBarRatio(0.16);
-  bar_->SetVerticalTitleSeparation(8);
-  bar_->UnconstrainedFontSizeOn();
   useTheme();
   view_->installEventFilter(this);
   connect(view_, &FaceView::overlayChanged, this, [this](const QObject* overlay) {
@@ -96,17 +62,10 @@ void FaceOverlay::addZebraShader() {
 }
 
 void FaceOverlay::color(vtkPolyDataMapper* mapper, const char* array, const Scale& scale) {
-  scale.colors == Colors::Diverging ? fill(colors_, blueToOrange) : fill(colors_, viridis);
-  colors_->SetTableRange(scale.begin, scale.end);
-  colors_->SetNanColor(0.5, 0.5, 0.5, 1.0);
-  colors_->Modified();
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray(array);
-  mapper->SetColorModeToMapScalars();
-  mapper->SetLookupTable(colors_);
-  mapper->UseLookupTableScalarRangeOn();
-  mapper->InterpolateScalarsBeforeMappingOn();
-  bar_->SetTitle(scale.title.toUtf8().constData());
+  legend_.setScale(scale);
+  legend_.color(mapper);
 }
 
 void FaceOverlay::showSurface(vtkPolyData* surface, const char* array, const Scale& scale) {
@@ -141,7 +100,7 @@ void FaceOverlay::show(vtkActor* actor, bool withSkin, bool withScale) {
   view_->showOverlay(this, withSkin);
   for (vtkActor* other : {surface_.Get(), zebra_.Get(), lines_.Get()})
     other == actor ? view_->renderer()->AddActor(other) : view_->renderer()->RemoveActor(other);
-  withScale ? view_->renderer()->AddActor2D(bar_) : view_->renderer()->RemoveActor2D(bar_);
+  withScale ? legend_.show(view_->renderer()) : legend_.hide(view_->renderer());
   view_->redraw();
   if (changes) emit shownChanged(true);
 }
@@ -154,7 +113,7 @@ void FaceOverlay::remove() {
   if (!shown_) return;
   shown_ = false;
   for (vtkActor* actor : {surface_.Get(), zebra_.Get(), lines_.Get()}) view_->renderer()->RemoveActor(actor);
-  view_->renderer()->RemoveActor2D(bar_);
+  legend_.hide(view_->renderer());
   view_->redraw();
   emit shownChanged(false);
 }
@@ -167,13 +126,7 @@ bool FaceOverlay::eventFilter(QObject* watched, QEvent* event) {
 void FaceOverlay::useTheme() {
   const Theme& theme = Theme::current();
   zebra_->GetProperty()->SetColor(theme.skin.redF(), theme.skin.greenF(), theme.skin.blueF());
-  for (vtkTextProperty* text : {bar_->GetTitleTextProperty(), bar_->GetLabelTextProperty()}) {
-    text->SetFontSize(11);
-    text->ItalicOff();
-    text->BoldOff();
-    text->ShadowOff();
-    text->SetColor(theme.text.redF(), theme.text.greenF(), theme.text.blueF());
-  }
+  legend_.useTheme();
 }
 
 }  // namespace mien

@@ -5,11 +5,11 @@
 #include <QObject>
 #include <QString>
 
+#include "ColorLegend.h"
+
 class vtkActor;
-class vtkLookupTable;
 class vtkPolyData;
 class vtkPolyDataMapper;
-class vtkScalarBarActor;
 
 namespace mien {
 
@@ -20,17 +20,8 @@ class FaceView;
 class FaceOverlay : public QObject {
   Q_OBJECT
  public:
-  enum class Colors {
-    Sequential,  ///< from 0 up
-    Diverging    ///< both signs, 0 in the middle
-  };
-
-  /// How numbers become colours. Ranges are given, never taken from the data by themselves.
-  struct Scale {
-    QString title;  ///< with unit
-    double begin = 0.0, end = 1.0;
-    Colors colors = Colors::Sequential;
-  };
+  using Colors = ColorLegend::Colors;
+  using Scale = ColorLegend::Scale;
 
   FaceOverlay(FaceView* view, QObject* parent);
   ~FaceOverlay() override;
@@ -59,10 +50,9 @@ class FaceOverlay : public QObject {
   void remove();
 
   FaceView* view_;
-  vtkNew<vtkLookupTable> colors_;
+  ColorLegend legend_;
   vtkNew<vtkPolyDataMapper> surfaceMapper_, zebraMapper_, lineMapper_;
   vtkNew<vtkActor> surface_, zebra_, lines_;
-  vtkNew<vtkScalarBarActor> bar_;
   bool shown_ = false;
 };
 

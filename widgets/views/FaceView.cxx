@@ -10,6 +10,8 @@
 #include <vtkReverseSense.h>
 #include <vtkTexture.h>
 
+#include "ColorLegend.h"
+#include "FaceArray.h"
 #include "FaceModel.h"
 #include "Theme.h"
 
@@ -17,8 +19,8 @@ namespace mien {
 
 namespace {
 
-constexpr float meshWidth = 1.0f;     // pixels
-const QColor mouthInside("#5c2421");  // inside of a face with a photograph, which does not show it
+constexpr float meshWidth = 1.0f, pointSize = 3.0f;  // pixels
+const QColor mouthInside("#5c2421");                 // inside of a face with a photograph, which does not show it
 
 void setColor(vtkProperty* property, const QColor& color) {
   property->SetColor(color.redF(), color.greenF(), color.blueF());
@@ -30,6 +32,12 @@ void setSkin(vtkProperty* property) {
   property->SetDiffuse(0.92);
   property->SetSpecular(0.16);
   property->SetSpecularPower(18.0);
+}
+
+void setMatt(vtkProperty* property) {
+  property->SetAmbient(0.30);
+  property->SetDiffuse(0.64);
+  property->SetSpecular(0.0);
 }
 
 }  // namespace
@@ -55,36 +63,59 @@ FaceView::~FaceView() = default;
 
 void FaceView::addSurface() {
   outwards_->SetInputConnection(model().pipeline().surface()->GetOutputPort());  // VTK winds the grid's cells inwards
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(outwards_->GetOutputPort());
-  mapper->ScalarVisibilityOff();
-  surface_->SetMapper(mapper);
-  vtkNew<vtkProperty> inside;
-  surface_->SetBackfaceProperty(inside);
+  mapper_->SetInputConnection(outwards_->GetOutputPort());
+  mapper_->ScalarVisibilityOff();
+  surface_->SetMapper(mapper_);
   renderer()->AddActor(surface_);
 }
 
+/// Colours that say something are the same from both sides, and light enough that they do not leave their scale.
 void FaceView::dress() {
+  const bool lines = mesh_ == Mesh::Wireframe || mesh_ == Mesh::Points;
+  surface_->SetTexture(textured_ && !colored_ && !lines ? texture_.Get() : nullptr);
+  surface_->SetBackfaceProperty(colored_ ? nullptr : inside_.Get());
+  dressSkin();
+  if (colored_) setMatt(surface_->GetProperty());
+  dressLines(surface_->GetProperty());
+  dressLines(inside_);
+}
+
+void FaceView::dressSkin() {
   const Theme& theme = Theme::current();
-  const bool wires = mesh_ == Mesh::Wireframe;
-  const bool photograph = textured_ && !wires;
-  surface_->SetTexture(photograph ? texture_.Get() : nullptr);
-  setColor(surface_->GetProperty(), wires ? theme.mesh : photograph ? QColor(Qt::white) : theme.skin);
-  setColor(surface_->GetBackfaceProperty(), wires ? theme.ghost : photograph ? mouthInside : theme.skinInside);
-  for (vtkProperty* side : {surface_->GetProperty(), surface_->GetBackfaceProperty()}) {
-    setSkin(side);
-    side->SetRepresentation(wires ? VTK_WIREFRAME : VTK_SURFACE);
-    side->SetLighting(!wires);
-    side->SetLineWidth(meshWidth);
-    side->SetEdgeVisibility(mesh_ == Mesh::Both);
-    side->SetEdgeColor(theme.mesh.redF(), theme.mesh.greenF(), theme.mesh.blueF());
-  }
-  surface_->GetBackfaceProperty()->SetSpecular(0.0);
+  const bool lines = mesh_ == Mesh::Wireframe || mesh_ == Mesh::Points;
+  setColor(surface_->GetProperty(), lines ? theme.mesh : textured_ ? QColor(Qt::white) : theme.skin);
+  setColor(inside_, lines ? theme.ghost : textured_ ? mouthInside : theme.skinInside);
+  for (vtkProperty* side : {surface_->GetProperty(), inside_.Get()}) setSkin(side);
+  inside_->SetSpecular(0.0);
+}
+
+void FaceView::dressLines(vtkProperty* side) const {
+  const Theme& theme = Theme::current();
+  const bool lines = mesh_ == Mesh::Wireframe || mesh_ == Mesh::Points;
+  side->SetRepresentation(mesh_ == Mesh::Points ? VTK_POINTS : mesh_ == Mesh::Wireframe ? VTK_WIREFRAME : VTK_SURFACE);
+  side->SetLighting(!lines);
+  side->SetLineWidth(meshWidth);
+  side->SetPointSize(pointSize);
+  side->SetEdgeVisibility(mesh_ == Mesh::Both);
+  side->SetEdgeColor(theme.mesh.redF(), theme.mesh.greenF(), theme.mesh.blueF());
 }
 
 void FaceView::setMesh(Mesh mesh) {
   mesh_ = mesh;
-  mouth_.setVisible(mesh_ != Mesh::Wireframe);
+  mouth_.setVisible(mesh_ == Mesh::Shaded || mesh_ == Mesh::Both);
+  dress();
+  redraw();
+}
+
+void FaceView::setColors(const FaceArray& array, const ColorLegend* legend) {
+  colored_ = legend != nullptr;
+  if (colored_) {
+    array.ofCells ? mapper_->SetScalarModeToUseCellFieldData() : mapper_->SetScalarModeToUsePointFieldData();
+    mapper_->SelectColorArray(array.name.c_str());
+    legend->color(mapper_, array.component);
+  } else {
+    mapper_->ScalarVisibilityOff();
+  }
   dress();
   redraw();
 }

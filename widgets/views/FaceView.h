@@ -5,16 +5,22 @@
 
 class vtkActor;
 class vtkImageData;
+class vtkPolyDataMapper;
+class vtkProperty;
 class vtkReverseSense;
 class vtkTexture;
 
 namespace mien {
 
-/// What does the face look like? The surface, lit, as its mesh, or both.
+class ColorLegend;
+struct FaceArray;
+
+/// What does the face look like? The surface, lit, as its mesh, both, or its points; in its skin or in colours that say
+/// something.
 class FaceView : public RenderView {
   Q_OBJECT
  public:
-  enum class Mesh { Shaded, Wireframe, Both };
+  enum class Mesh { Shaded, Wireframe, Both, Points };
 
   FaceView(FaceModel* model, QWidget* parent = nullptr);
   ~FaceView() override;
@@ -31,6 +37,10 @@ class FaceView : public RenderView {
   void setTexture(vtkImageData* image);
   bool isTextured() const { return textured_; }
 
+  /// Colours the surface by an array of it, whatever its mesh looks like; nullptr: the skin again.
+  /// @param legend  must live while it is shown
+  void setColors(const FaceArray& array, const ColorLegend* legend);
+
   void useTheme() override;
 
  signals:
@@ -39,13 +49,17 @@ class FaceView : public RenderView {
  private:
   void addSurface();
   void dress();
+  void dressSkin();
+  void dressLines(vtkProperty* side) const;
 
   vtkNew<vtkReverseSense> outwards_;
   vtkNew<vtkActor> surface_;
+  vtkNew<vtkPolyDataMapper> mapper_;
+  vtkNew<vtkProperty> inside_;
   vtkNew<vtkTexture> texture_;
   MouthActor mouth_{renderer()};
   Mesh mesh_ = Mesh::Shaded;
-  bool textured_ = false;
+  bool textured_ = false, colored_ = false;
 };
 
 }  // namespace mien

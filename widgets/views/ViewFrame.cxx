@@ -50,6 +50,10 @@ void ViewFrame::addBelow(QWidget* widget) {
   layout()->addWidget(widget);
 }
 
+void ViewFrame::addControl(QWidget* control) {
+  header_->addWidget(control);
+}
+
 void ViewFrame::addGap() {
   header_->addSpacing(gap);
 }

@@ -15,6 +15,7 @@ class ViewFrame : public QFrame {
 
   QToolButton* addButton(const QString& objectName, const QString& text, const QString& toolTip);
   QToolButton* addToggle(const QString& objectName, const QString& text, const QString& toolTip, bool on);
+  void addControl(QWidget* control);  ///< in the head, after what is there
   void addGap();
   void addBelow(QWidget* widget);
 

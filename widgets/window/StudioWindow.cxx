@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QButtonGroup>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -11,14 +10,11 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QSplitter>
-#include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include "AnimationPlayer.h"
 #include "BundledFile.h"
-#include "ColorScale.h"
 #include "CurveView.h"
 #include "EditMenu.h"
 #include "ExpressionPanel.h"
@@ -34,9 +30,10 @@
 #include "SessionDocument.h"
 #include "SessionKeeper.h"
 #include "SurfacePanel.h"
+#include "TexturePanel.h"
 #include "Theme.h"
 #include "TimelinePanel.h"
-#include "ViewFrame.h"
+#include "ViewArea.h"
 #include "WindowLayout.h"
 
 namespace mien {
@@ -78,6 +75,7 @@ StudioWindow::StudioWindow()
       player_(new AnimationPlayer(model_, this)),
       face_(new FaceView(model_)),
       curves_(new CurveView(model_)),
+      views_(new ViewArea(model_, face_, curves_)),
       messages_(new MessageBar),
       laboratory_(new LaboratoryDocks(model_, player_, face_, curves_, this)),
       keeper_(new SessionKeeper(model_, player_, this)) {
@@ -86,7 +84,6 @@ StudioWindow::StudioWindow()
   setCentralWidget(centre());
   addDocks();
   addMenus();
-  linkCameras(true);
   connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
   connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
   connect(model_, &FaceModel::recovered, messages_, &MessageBar::clearError);
@@ -108,88 +105,17 @@ SessionDocument& StudioWindow::document() {
 QWidget* StudioWindow::centre() {
   auto* timeline = new TimelinePanel(model_, player_);
   laboratory_->addPlotButton(timeline);
+  laboratory_->addSkinButton(views_->faceFrame());
   connect(timeline, &TimelinePanel::openRequested, this, &StudioWindow::chooseAnimation);
   auto* box = new QWidget(this);
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 6, 8, 8);
   column->setSpacing(6);
-  column->addWidget(views(), 1);
+  column->addWidget(views_, 1);
   column->addWidget(timeline);
   if (keeper_->autosave()) column->addWidget(new RecoveryBar(keeper_->autosave(), keeper_->document()));
   column->addWidget(messages_);
   return box;
-}
-
-QWidget* StudioWindow::views() {
-  auto* splitter = new QSplitter(Qt::Horizontal, this);
-  splitter->setObjectName("viewSplitter");
-  splitter->setChildrenCollapsible(false);
-  splitter->addWidget(faceFrame());
-  splitter->addWidget(curveFrame());
-  splitter->setStretchFactor(0, 4);
-  splitter->setStretchFactor(1, 3);
-  splitter->setSizes({4 * startWidth, 3 * startWidth});  // shares, not pixels
-  return splitter;
-}
-
-QWidget* StudioWindow::faceFrame() {
-  auto* frame = new ViewFrame(tr("Face"), face_, this);
-  addMeshButtons(frame);
-  laboratory_->addSkinButton(frame);
-  frame->addGap();
-  addSideButtons(frame);
-  return frame;
-}
-
-void StudioWindow::addMeshButtons(ViewFrame* frame) {
-  auto* group = new QButtonGroup(this);
-  const auto add = [&](const QString& name, const QString& text, const QString& tip, FaceView::Mesh mesh) {
-    QToolButton* button = frame->addToggle(name, text, tip, mesh == face_->mesh());
-    group->addButton(button);
-    connect(button, &QToolButton::toggled, this, [this, mesh](bool on) {
-      if (on) face_->setMesh(mesh);
-    });
-  };
-  add("meshShaded", tr("Shaded"), tr("The surface, lit"), FaceView::Mesh::Shaded);
-  add("meshWireframe", tr("Wireframe"), tr("The lines of the mesh"), FaceView::Mesh::Wireframe);
-  add("meshBoth", tr("Both"), tr("The surface with the lines of its mesh"), FaceView::Mesh::Both);
-}
-
-void StudioWindow::addSideButtons(ViewFrame* frame) {
-  const auto add = [&](const QString& name, const QString& text, const QString& tip, RenderView::Side side) {
-    connect(frame->addButton(name, text, tip), &QToolButton::clicked, this, [this, side] { look(side); });
-  };
-  add("lookFront", tr("Front"), tr("Look from the front"), RenderView::Side::Front);
-  add("lookFortyFive", tr("45\u00b0"), tr("Look from 45 degrees at the subject's left"), RenderView::Side::FortyFive);
-  add("lookSide", tr("Side"), tr("Look at the subject's left side"), RenderView::Side::Profile);
-  QToolButton* whole = frame->addButton("lookReset", tr("Reset"), tr("The whole face again (double click in a view)"));
-  connect(whole, &QToolButton::clicked, this, [this] {
-    face_->fit();
-    if (!curves_->isLinked()) curves_->fit();
-  });
-}
-
-QWidget* StudioWindow::curveFrame() {
-  auto* frame = new ViewFrame(tr("Curves"), curves_, this);
-  frame->addBelow(new ColorScale(model_, this));
-  connect(frame->addToggle("curvePoints", tr("Points"), tr("The points of the curves"), true), &QToolButton::toggled,
-          curves_, &CurveView::setPointsVisible);
-  connect(frame->addToggle("curveNeutral", tr("Neutral"), tr("The curves of the neutral face, thin and pale"), true),
-          &QToolButton::toggled, curves_, &CurveView::setNeutralVisible);
-  connect(frame->addToggle("curveFrontOnly", tr("Front only"), tr("Whether the face hides the curves behind it"), true),
-          &QToolButton::toggled, curves_, &CurveView::setBackHidden);
-  connect(frame->addToggle("curveLink", tr("Link"), tr("Turn and zoom together with the face"), true),
-          &QToolButton::toggled, this, &StudioWindow::linkCameras);
-  return frame;
-}
-
-void StudioWindow::linkCameras(bool linked) {
-  linked ? curves_->link(face_) : curves_->unlink();
-}
-
-void StudioWindow::look(RenderView::Side side) {
-  face_->look(side);
-  if (!curves_->isLinked()) curves_->look(side);
 }
 
 QDockWidget* StudioWindow::addDock(const QString& name, const QString& title, QWidget* panel) {
@@ -231,7 +157,7 @@ void StudioWindow::addFaceMenu() {
 void StudioWindow::addViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
   const auto add = [&](const QString& text, int key, RenderView::Side side) {
-    menu->addAction(text, this, [this, side] { look(side); })->setShortcut(Qt::CTRL | Qt::Key(key));
+    menu->addAction(text, this, [this, side] { views_->look(side); })->setShortcut(Qt::CTRL | Qt::Key(key));
   };
   add(tr("&Front"), Qt::Key_1, RenderView::Side::Front);
   add(tr("&45 degrees"), Qt::Key_2, RenderView::Side::FortyFive);
@@ -252,8 +178,7 @@ void StudioWindow::addHelpMenu() {
 
 void StudioWindow::setDark(bool dark) {
   Theme::apply(dark ? Theme::Kind::Dark : Theme::Kind::Light, *qApp);
-  face_->useTheme();
-  curves_->useTheme();
+  views_->useTheme();
 }
 
 void StudioWindow::showAbout() {
@@ -348,6 +273,8 @@ void StudioWindow::dropEvent(QDropEvent* event) {
 }
 
 void StudioWindow::closeEvent(QCloseEvent* event) {
+  auto* texture = findChild<TexturePanel*>();
+  if (texture && !texture->mayClose()) return event->ignore();
   player_->pause();
   if (!document().mayClose()) return event->ignore();
   WindowLayout::save(*this);

@@ -16,7 +16,7 @@ class LiveStream;
 class MessageBar;
 class SessionDocument;
 class SessionKeeper;
-class ViewFrame;
+class ViewArea;
 
 /// The main window of Mien Studio: it puts the widgets in their places and knows the menus.
 class StudioWindow : public QMainWindow {
@@ -49,13 +49,6 @@ class StudioWindow : public QMainWindow {
 
  private:
   QWidget* centre();
-  QWidget* views();
-  QWidget* faceFrame();
-  QWidget* curveFrame();
-  void addSideButtons(ViewFrame* frame);
-  void addMeshButtons(ViewFrame* frame);
-  void linkCameras(bool linked);
-  void look(RenderView::Side side);
   void addDocks();
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel);
   bool openAs(FileKind kind, const QString& fileName);
@@ -70,6 +63,7 @@ class StudioWindow : public QMainWindow {
   AnimationPlayer* player_;
   FaceView* face_;
   CurveView* curves_;
+  ViewArea* views_;
   MessageBar* messages_;
   LaboratoryDocks* laboratory_;
   SessionKeeper* keeper_;

@@ -90,6 +90,7 @@ json jsonOf(const AcquireResult& result) {
   if (!r.uncomparedReason.empty()) object["landmark_residual"] = {{"missing", r.uncomparedReason}};
   object["frontal_distance"] = {{"rms_mm", result.frontalRMS}, {"max_mm", result.frontalMaximum}};
   object["crossings"] = result.crossings;
+  if (result.crossings > 0) object["crossing_curves"] = result.crossingCurves;
   return object;
 }
 
@@ -103,6 +104,9 @@ void remark(const AcquireResult& result) {
   if (r.landmarkDepth > doubtfulDepth)
     std::cerr << "mien: " << result.scan << ": the landmarks lie " << roundedText(r.landmarkDepth)
               << " mm (median) off the scan; are they of this head?\n";
+  if (result.crossings > 0)
+    std::cerr << "mien: " << result.scan << ": curves cross: " << result.crossingCurves
+              << "; the surface is folded there; look at holes of the scan and at the landmarks beside them\n";
   if (!r.uncomparedReason.empty())
     std::cerr << "mien: " << result.scan
               << ": the landmarks could not be compared with fitted ones: " << r.uncomparedReason << "\n";
@@ -118,7 +122,7 @@ void deliver(const Options& options, const std::vector<AcquireResult>& results) 
     if (options.json)
       all.push_back(jsonOf(result));
     else if (options.acquire.report)
-      std::cout << reportText(result);
+      std::cout << reportText(result) << matrixText(result.report);
   }
   if (options.json) std::cout << all.dump(2) << "\n";
 }

@@ -13,7 +13,10 @@
 #include "FaceTexture.h"
 #include "FaceWarpLayout.h"
 #include "Failure.h"
+#include "FigureApplication.h"
+#include "FigureFile.h"
 #include "ImageFile.h"
+#include "LandmarkFigure.h"
 #include "OutputFile.h"
 #include "PictureFile.h"
 #include "PipelineErrors.h"
@@ -35,7 +38,9 @@ namespace {
 using Kind = FaceWarpLayout::Kind;
 
 struct Options {
-  std::string image, source, landmarks, target, face, mesh, size, saveSource, saveTarget, output;
+  std::string image, source, landmarks, target, face, mesh, size, saveSource, saveTarget, showPoints, output;
+
+  bool writesMeshes() const { return !output.empty() || !saveSource.empty() || !saveTarget.empty(); }
 };
 
 void check(const Options& options) {
@@ -48,14 +53,16 @@ void check(const Options& options) {
     throw ValueFailure("--mesh '" + options.mesh + "' is unknown; it is 7x7 or fine");
   if (!options.mesh.empty() && options.landmarks.empty())
     throw ValueFailure("--mesh says what is made of --landmarks; give them, or leave it out");
-  if (options.output.empty() && options.saveSource.empty() && options.saveTarget.empty())
-    throw ValueFailure("there is nothing to write; give -o, --save-source or --save-target");
+  if (!options.writesMeshes() && options.showPoints.empty())
+    throw ValueFailure("there is nothing to write; give -o, --save-source, --save-target or --show-points");
   if (!options.output.empty()) requireEnding(options.output, {"png", "jpg", "jpeg", "tif", "tiff"});
   for (const std::string& file : {options.saveSource, options.saveTarget})
     if (!file.empty()) requireEnding(file, {"csv"});
+  if (!options.showPoints.empty()) requireEnding(options.showPoints, FigureFile::endings());
 }
 
 constexpr std::size_t largestText = 10'000'000;  // bytes of a warp mesh or of landmarks
+constexpr double pointsDotsPerInch = 200.0;      // 1024 pixels across
 
 std::string readText(const std::string& file, const std::string& what) {
   std::string text;
@@ -90,16 +97,43 @@ FaceWarpLayout layoutOn(const FaceCurves& face, Kind kind) {
   return layout;
 }
 
-WarpMesh meshOfLandmarks(const Options& options, const FaceCurves& face, vtkImageData* image) {
+ImageLandmarks readLandmarks(const Options& options) {
   ImageLandmarks landmarks;
-  std::string fault = parseImageLandmarks(readText(options.landmarks, "list of landmarks"), landmarks);
+  const std::string fault = parseImageLandmarks(readText(options.landmarks, "list of landmarks"), landmarks);
   if (!fault.empty()) throw FileFailure(options.landmarks + ":" + fault);
+  return landmarks;
+}
+
+WarpMesh meshOfLandmarks(const Options& options, const FaceCurves& face, vtkImageData* image) {
   WarpMesh mesh;
   const int* size = image->GetDimensions();
-  fault = photographMesh(layoutOn(face, options.mesh == "7x7" ? Kind::SevenBySeven : Kind::Fine), face, landmarks,
-                         size[0], size[1], mesh);
+  const std::string fault = photographMesh(layoutOn(face, options.mesh == "7x7" ? Kind::SevenBySeven : Kind::Fine),
+                                           face, readLandmarks(options), size[0], size[1], mesh);
   if (!fault.empty()) throw FileFailure(options.landmarks + ": " + fault);
   return mesh;
+}
+
+WarpMesh readSource(const Options& options) {
+  return readMesh(options.source.empty() ? meshBeside(options.image) : options.source);
+}
+
+/// Landmarks are drawn as they are given, wherever they lie, so that one sees what is wrong with them.
+void showPoints(const Options& options, vtkImageData* image) {
+  ImageLandmarks points;
+  if (!options.landmarks.empty()) {
+    points = readLandmarks(options);
+  } else {
+    const int* size = image->GetDimensions();
+    points = namedPoints(scaledMesh(readSource(options), size[0], size[1]));
+    if (points.empty()) throw FileFailure("the source mesh names no points; --show-points needs --landmarks, or 7 x 7");
+  }
+  const FigureApplication application;
+  const FigureDrawing drawing = drawLandmarks(image, points);
+  FigureFile file(options.showPoints);
+  file.setDotsPerInch(pointsDotsPerInch);
+  file.setTitle("Landmarks");
+  const std::string fault = file.write(drawing.size, drawing.paint);
+  if (!fault.empty()) throw FileFailure(fault);
 }
 
 /// Without a target mesh that of the face, which must have the places of the source mesh.
@@ -157,10 +191,10 @@ void run(const Options& options) {
   vtkNew<vtkImageData> image;
   const std::string fault = readImageFile(options.image, image);
   if (!fault.empty()) throw FileFailure(fault);
+  if (!options.showPoints.empty()) showPoints(options, image);
+  if (!options.writesMeshes()) return;
   const FaceCurves face = readFace(options.face);
-  const WarpMesh source = !options.landmarks.empty()
-                              ? meshOfLandmarks(options, face, image)
-                              : readMesh(options.source.empty() ? meshBeside(options.image) : options.source);
+  const WarpMesh source = options.landmarks.empty() ? readSource(options) : meshOfLandmarks(options, face, image);
   const WarpMesh target = targetOf(options, face, source);
   std::list<OutputFile> files;  // all appear, or none
   if (!options.saveSource.empty()) fill(files.emplace_back(options.saveSource), source);
@@ -188,13 +222,20 @@ void addTextureCommand(CLI::App& program) {
   add("-o,--output", options->output, "Texture to write: .png .jpg .tif");
   add("--save-source", options->saveSource, "Write the source mesh, FILE.csv, for --texture of render and animate");
   add("--save-target", options->saveTarget, "Write the target mesh, FILE.csv");
+  add("--show-points", options->showPoints,
+      "Draw the landmarks with their names on the photograph, as they are given: .png .svg .pdf");
   command->footer(
       "Example: mien texture anna.jpg --landmarks anna68.csv --save-source anna.csv -o anna_texture.png\n"
       "         mien render --texture anna.jpg --expression joy -o joy.png\n"
-      "A surface shows the texture through its TextureCoordinates. The 25 names: 4.6 4.4 brow_middle 4.3 4.5 (brows), "
-      "3.12 3.2 nose_bridge\n"
-      "3.1 3.7 (eyes), 5.4 3.4 9.12 3.3 5.3 (cheeks and lower lids), 8.4 8.6 8.1 8.5 8.3 (upper lip), lower_lip_right "
-      "8.8 8.2 8.7 lower_lip_left.");
+      "         mien texture anna.jpg --landmarks anna25.csv --show-points check.png\n"
+      "A surface shows the texture through its TextureCoordinates. The 25 points, row by row from the subject's "
+      "right:\n"
+      "  4.6 4.4 brow_middle 4.3 4.5            outer end and top of the brow, between the brows, top, outer end\n"
+      "  3.12 3.2 nose_bridge 3.1 3.7           outer corner and upper lid of the eye, nose bridge, upper lid, corner\n"
+      "  5.4 3.4 9.12 3.3 5.3                   cheekbone, lower lid, nose ridge, lower lid, cheekbone\n"
+      "  8.4 8.6 8.1 8.5 8.3                    corner of the mouth, upper edge of the lips, corner\n"
+      "  lower_lip_right 8.8 8.2 8.7 lower_lip_left   lower edge of the lips\n"
+      "Each with a drawing: doc/warp_points.md.");
   command->callback([options] { run(*options); });
 }
 

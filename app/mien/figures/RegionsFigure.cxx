@@ -32,16 +32,16 @@ PlaneDrawing regionDrawing(FigureContext& context) {
   PlaneDrawing drawing;
   int region = 0;
   for (const PlanePolygon& cell : regionCells(regions)) {
-    PlaneStroke stroke = {QColor("#5a5a5a"), 0.6};
+    PlaneStroke stroke = {context.settings().theme.axis, 0.6};
     stroke.fill = regionColor(++region);
     if (cell.size() > 2) drawing.lines.push_back({polygonOf(cell), stroke, true});
   }
   addFaceBehind(drawing, frontalLines(context.neutralFace(), true));
   for (const double x : {-1.0, 1.0})
-    drawing.marks.push_back({{x, 0.0}, 1.6, {QColor("#222222"), 0.5, false, QColor("#ffffff")}});
+    drawing.marks.push_back({{x, 0.0}, 1.6, {QColor(), 0.5, false, context.settings().theme.background}});
   for (region = 1; region <= FacialRegions::count; ++region) {
     const Eigen::Vector2d& centre = regions.centre(region);
-    drawing.labels.push_back({{centre.x(), centre.y()}, QString::number(region), 8.0, Qt::AlignCenter, {}, true});
+    drawing.labels.push_back({{centre.x(), centre.y()}, QString::number(region), 8.0, Qt::AlignCenter, {}, true, true});
   }
   return drawing;
 }

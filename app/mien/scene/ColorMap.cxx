@@ -1,9 +1,9 @@
 #include "ColorMap.h"
 
-#include <iterator>
 #include <string>
 
 #include "ColorTable.h"
+#include "PatchColors.h"
 #include "vtkLookupTable.h"
 #include "vtkVariant.h"
 
@@ -11,7 +11,6 @@ namespace mien {
 
 namespace {
 
-constexpr int muted[] = {0x332288, 0x88ccee, 0x44aa99, 0x117733, 0x999933, 0xddcc77, 0xcc6677, 0x882255, 0xaa4499};
 constexpr int steps = 256;
 
 double part(int color, int shift) {
@@ -32,13 +31,13 @@ vtkSmartPointer<vtkLookupTable> sequentialColors(double smallest, double largest
   return table;
 }
 
-vtkSmartPointer<vtkLookupTable> patchColors() {
+vtkSmartPointer<vtkLookupTable> patchColorTable() {
   auto table = vtkSmartPointer<vtkLookupTable>::New();
-  const int count = static_cast<int>(std::size(muted));
+  const int count = static_cast<int>(patchColors.size());
   table->SetNumberOfTableValues(count);
   table->IndexedLookupOn();
   for (int i = 0; i < count; ++i) {
-    table->SetTableValue(i, part(muted[i], 16), part(muted[i], 8), part(muted[i], 0), 1.0);
+    table->SetTableValue(i, part(patchColors[i], 16), part(patchColors[i], 8), part(patchColors[i], 0), 1.0);
     table->SetAnnotation(vtkVariant(i), "P" + std::to_string(i));
   }
   return table;

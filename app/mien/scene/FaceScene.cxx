@@ -194,7 +194,7 @@ void FaceScene::addColors() {
   const bool isPatch = style_.colorBy == "PatchId";
   double range[2];
   array->GetRange(range, array->GetNumberOfComponents() > 1 ? -1 : 0);
-  const auto table = isPatch ? patchColors() : sequentialColors(range[0], range[1]);
+  const auto table = isPatch ? patchColorTable() : sequentialColors(range[0], range[1]);
   if (array->GetNumberOfComponents() > 1) table->SetVectorModeToMagnitude();
   surfaceMapper_->ScalarVisibilityOn();
   surfaceMapper_->SetLookupTable(table);

@@ -100,16 +100,34 @@ bool ringOf(const RadialSkin& skin, double azimuth, double y, double size, doubl
   return *std::min_element(sides, sides + 4) >= ringPoints / 4 - 2;
 }
 
-/// Value in the middle of the quadratic that fits best.
-double quadraticMiddle(const std::vector<Eigen::Vector3d>& ring) {
+/// Value in the middle of the quadratic that fits best; with weights 1 / distance^power, near skin counts for more.
+double quadraticMiddle(const std::vector<Eigen::Vector3d>& ring, int power) {
   Eigen::MatrixXd basis(ring.size(), 6);
   Eigen::VectorXd radii(ring.size());
   for (size_t i = 0; i < ring.size(); ++i) {
     const double x = ring[i].x(), y = ring[i].y();
+    const double weight = std::pow(std::hypot(x, y), -power);
     basis.row(static_cast<Eigen::Index>(i)) << 1.0, x, y, x * x, x * y, y * y;
-    radii[static_cast<Eigen::Index>(i)] = ring[i].z();
+    basis.row(static_cast<Eigen::Index>(i)) *= weight;
+    radii[static_cast<Eigen::Index>(i)] = weight * ring[i].z();
   }
   return basis.colPivHouseholderQr().solve(radii)[0];
+}
+
+}  // namespace
+
+namespace {
+
+constexpr double headRadius = 80.0;  // mm; turns widths into angles, no more
+constexpr double ringStep = 1.5;     // mm
+
+/// All skin within a width, where there is some on all sides at that width.
+bool surroundingsOf(const RadialSkin& skin, double azimuth, double y, double width,
+                    std::vector<Eigen::Vector3d>& surroundings) {
+  if (!ringOf(skin, azimuth, y, headRadius, width, surroundings)) return false;
+  for (double inner = ringStep; inner < width; inner += ringStep)
+    ringOf(skin, azimuth, y, headRadius, inner, surroundings);
+  return true;
 }
 
 }  // namespace
@@ -117,13 +135,18 @@ double quadraticMiddle(const std::vector<Eigen::Vector3d>& ring) {
 double RadialSkin::filledRadius(double azimuth, double y) const {
   const double direct = radius(azimuth, y);
   if (std::isfinite(direct)) return direct;
-  constexpr double headRadius = 80.0;  // mm; turns widths into angles, no more
-  constexpr double step = 1.5, widest = 15.0;
-  for (double width = step; width <= widest; width += step) {
+  constexpr double narrow = 15.0, widest = 36.0;
+  constexpr int nearFirst = 3;
+  for (double width = ringStep; width <= narrow; width += ringStep) {
     std::vector<Eigen::Vector3d> ring;
     if (!ringOf(*this, azimuth, y, headRadius, width, ring)) continue;
-    for (int more = 1; more <= 2; ++more) ringOf(*this, azimuth, y, headRadius, width + more * step, ring);
-    return quadraticMiddle(ring);
+    for (int more = 1; more <= 2; ++more) ringOf(*this, azimuth, y, headRadius, width + more * ringStep, ring);
+    return quadraticMiddle(ring, 0);
+  }
+  // Deep in a wide hole only its far side is all around; the skin beside it must not be forgotten over that.
+  for (double width = narrow + ringStep; width <= widest; width += ringStep) {
+    std::vector<Eigen::Vector3d> surroundings;
+    if (surroundingsOf(*this, azimuth, y, width, surroundings)) return quadraticMiddle(surroundings, nearFirst);
   }
   return std::numeric_limits<double>::quiet_NaN();
 }

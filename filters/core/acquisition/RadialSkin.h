@@ -22,7 +22,7 @@ class RadialSkin {
   /// Radius (mm) of the outermost hit of the ray at height y (mm) and azimuth (radians), NaN without a hit.
   double radius(double azimuth, double y) const;
 
-  /// As radius(); in a hole of up to 30 mm the radius of a quadratic surface through the skin around it.
+  /// As radius(); in a hole of up to 36 mm across, the radius of a quadratic surface through the skin around it.
   double filledRadius(double azimuth, double y) const;
 
  private:

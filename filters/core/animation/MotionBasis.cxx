@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "FAPTable.h"
-#include "StaggeredWeights.h"
+#include "ProfileSettlement.h"
 
 namespace mien {
 
@@ -15,10 +15,18 @@ struct MotionBasis::BoundPart {
   const AnimationEntry* entry;
   const AnimationPart* part;
   Eigen::VectorXd weights;
-  Eigen::MatrixXd conditions;  ///< cardinal weights where it is to have weight 1 exactly
+  std::vector<double> places;  ///< where it is to have weight 1 exactly, in samples
+  Eigen::MatrixXd conditions;  ///< cardinal weights there
   bool parts;                  ///< moves one side of a contact only
   int axis;                    ///< 0, 1 or 2: the direction in which it moves most
 
+  void setPlaces(const std::vector<double>& along, int k) {
+    conditions.resize(static_cast<Eigen::Index>(along.size()), k);
+    for (size_t i = 0; i < along.size(); ++i) {
+      conditions.row(static_cast<Eigen::Index>(i)) = cardinalWeights(k, along[i]).transpose();
+      places.push_back(along[i] * k / (2.0 * M_PI));
+    }
+  }
   bool isRelated() const { return !entry->replaces.empty() || !entry->beyond.empty(); }
   bool settlesAlone() const { return isRelated() || part->profile.followsGap(); }
   bool moves(int curve) const {
@@ -63,16 +71,13 @@ Eigen::VectorXd weightsOnCurve(const AnimationPart& part, const Eigen::VectorXd&
   return result;
 }
 
-/// A row of cardinal weights for the feature point of the FAP, if the part moves it, and for every other exact knot.
-Eigen::MatrixXd exactConditions(const FaceCurves& face, const FeaturePoint& feature, const AnimationPart& part) {
+/// The feature point of the FAP, if the part moves it, and every other exact knot, along v.
+std::vector<double> exactPlaces(const FaceCurves& face, const FeaturePoint& feature, const AnimationPart& part) {
   std::vector<double> places = part.profile.exactPlaces(face, part.curves);
   if (std::count(part.curves.begin(), part.curves.end(), feature.curve)) places.push_back(feature.v);
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
-  const int k = face.curves.pointsPerCurve;
-  Eigen::MatrixXd conditions(places.size(), k);
-  for (size_t i = 0; i < places.size(); ++i) conditions.row(i) = cardinalWeights(k, places[i]).transpose();
-  return conditions;
+  return places;
 }
 
 std::string named(int fap, const std::string& fault) {
@@ -99,10 +104,10 @@ std::string MotionBasis::collectParts(const FaceCurves& face, const AnimationTab
     if (!feature) return named(entry.fap, "the face has no feature point " + id + ", which this FAP moves");
     bool found = false;
     for (const AnimationPart& part : entry.parts) {
-      BoundPart bound{&entry, &part, {}, {}, movesOneSide(part, table.contacts()), mainAxis(part)};
+      BoundPart bound{&entry, &part, {}, {}, {}, movesOneSide(part, table.contacts()), mainAxis(part)};
       const std::string fault = part.profile.sample(face, *feature, bound.weights);
       if (!fault.empty()) return named(entry.fap, fault);
-      bound.conditions = exactConditions(face, *feature, part);
+      bound.setPlaces(exactPlaces(face, *feature, part), face.curves.pointsPerCurve);
       found = found || bound.moves(feature->curve);
       parts.push_back(bound);
     }
@@ -113,52 +118,30 @@ std::string MotionBasis::collectParts(const FaceCurves& face, const AnimationTab
   return {};
 }
 
-/// A part that shares its points with no other. A bump of a few samples dips beside itself whatever its shape: it gets
-/// the least undershoot that lets it meet its feature point, and a sample beside the feature point may move a little
-/// further than it.
-bool MotionBasis::settleAlone(BoundPart& part) {
-  constexpr double worstUndershoot = 0.04;
-  constexpr double mostWeight = 1.02;
-  constexpr int sweeps = 1000;
-  for (double undershoot = StaggeredWeights::leastUndershoot; undershoot < worstUndershoot; undershoot *= 1.5) {
-    StaggeredWeights alone(undershoot, mostWeight);
-    alone.share({alone.add(part.weights, part.conditions, part.parts)});
-    if (alone.solve(sweeps) >= 0) continue;
-    part.weights = alone.weights(0);
-    return true;
-  }
-  return false;
+void MotionBasis::settleAlone(BoundPart& part) {
+  ProfileSettlement alone = ProfileSettlement::alone();
+  alone.share({alone.add(part.weights, part.conditions, part.places, part.parts)});
+  alone.settle();
+  part.weights = alone.weights(0);
 }
 
 /// Parts of one group that move one curve in one direction share its points.
-int MotionBasis::settleTogether(BoundParts& parts) {
-  StaggeredWeights staggered;
+void MotionBasis::settleTogether(BoundParts& parts) {
+  ProfileSettlement together = ProfileSettlement::together();
   std::vector<size_t> partOf;
   std::map<std::tuple<std::string, int, int>, std::vector<int>> sharing;
   for (size_t i = 0; i < parts.size(); ++i) {
     const BoundPart& part = parts[i];
     if (part.settlesAlone()) continue;
-    const int number = staggered.add(part.weights, part.conditions, part.parts);
+    const int number = together.add(part.weights, part.conditions, part.places, part.parts);
     partOf.push_back(i);
     const bool alone = part.entry->group.empty();
     const std::string group = alone ? "FAP " + std::to_string(part.entry->fap) : part.entry->group;
     for (int curve : part.part->curves) sharing[{group, part.axis, curve}].push_back(number);
   }
-  for (const auto& [key, profiles] : sharing) staggered.share(profiles);
-  const int fault = staggered.solve();
-  if (fault >= 0) return parts[partOf[fault]].entry->fap;
-  for (size_t p = 0; p < partOf.size(); ++p) parts[partOf[p]].weights = staggered.weights(static_cast<int>(p));
-  return 0;
-}
-
-std::string MotionBasis::staggerParts(BoundParts& parts) {
-  int fault = settleTogether(parts);
-  for (BoundPart& part : parts)
-    if (fault == 0 && part.isRelated() && !part.part->profile.followsGap() && !settleAlone(part))
-      fault = part.entry->fap;
-  if (fault == 0) return {};
-  return named(fault,
-               "its profile is too narrow for this face to move the feature point exactly; use more points per curve");
+  for (const auto& [key, profiles] : sharing) together.share(profiles);
+  together.settle();
+  for (size_t p = 0; p < partOf.size(); ++p) parts[partOf[p]].weights = together.weights(static_cast<int>(p));
 }
 
 int MotionBasis::groupNumber(const std::string& name) {
@@ -222,8 +205,10 @@ std::string MotionBasis::bind(const FaceCurves& face, const AnimationTable& tabl
   *this = MotionBasis();
   BoundParts parts;
   std::string fault = collectParts(face, table, parts);
-  if (fault.empty()) fault = staggerParts(parts);
   if (!fault.empty()) return fault;
+  settleTogether(parts);
+  for (BoundPart& part : parts)
+    if (part.isRelated() && !part.part->profile.followsGap()) settleAlone(part);
   for (const AnimationEntry& entry : table.entries())
     buildMotion(entry, parts, face.curves, units.perValue(fapDefinition(entry.fap).unit));
   for (std::vector<int>& points : pointsOfGroup_) {

@@ -52,9 +52,8 @@ class MotionBasis {
   struct BoundPart;
   using BoundParts = std::vector<BoundPart>;
   static std::string collectParts(const FaceCurves& face, const AnimationTable& table, BoundParts& parts);
-  static bool settleAlone(BoundPart& part);
-  static int settleTogether(BoundParts& parts);  ///< the FAP that cannot meet its feature point, or 0
-  static std::string staggerParts(BoundParts& parts);
+  static void settleAlone(BoundPart& part);
+  static void settleTogether(BoundParts& parts);
   void buildMotion(const AnimationEntry& entry, const BoundParts& parts, const ClosedCurves& curves, double unit);
   void addPart(const BoundPart& part, const ClosedCurves& curves, const ClosedCurves::Points& slopes,
                FAPMotion& motion);

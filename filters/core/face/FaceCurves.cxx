@@ -1,8 +1,9 @@
 #include "FaceCurves.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numeric>
 
+#include "CurveCrossings.h"
 #include "FaceLayout.h"
 
 namespace mien {
@@ -47,16 +48,8 @@ const FeaturePoint* FaceCurves::feature(const std::string& id) const {
 }
 
 int countCrossings(const ClosedCurves& curves) {
-  constexpr int placesPerSample = 8;
-  constexpr double allowed = 0.1;  // mm, what contact may leave between samples
-  int crossings = 0;
-  for (int i = 0; i < placesPerSample * curves.pointsPerCurve; ++i) {
-    const Eigen::VectorXd weights =
-        cardinalWeights(curves.pointsPerCurve, 2.0 * M_PI * i / (placesPerSample * curves.pointsPerCurve));
-    for (int c = 0; c + 1 < curves.count; ++c)
-      crossings += weights.dot(curves.curve(c).col(1)) < weights.dot(curves.curve(c + 1).col(1)) - allowed;
-  }
-  return crossings;
+  const std::vector<int> crossings = crossingsBelow(curves);
+  return std::accumulate(crossings.begin(), crossings.end(), 0);
 }
 
 std::string describeFault(const FaceCurves& face) {

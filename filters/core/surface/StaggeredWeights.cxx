@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "FineColumns.h"
 
@@ -121,8 +122,17 @@ double StaggeredWeights::sweep() {
   return error;
 }
 
+/// Where the error no longer halves in so many sweeps, the rest of them would not bring it to `precision`.
 int StaggeredWeights::solve(int maximumSweeps) {
-  for (int i = 0; i < maximumSweeps && sweep() > precision; ++i) continue;
+  constexpr int sweepsToHalve = 1000;
+  double before = std::numeric_limits<double>::infinity();
+  for (int i = 1; i <= maximumSweeps; ++i) {
+    const double error = sweep();
+    if (error <= precision) break;
+    if (i % sweepsToHalve != 0) continue;
+    if (error > acceptable && error > 0.5 * before) break;
+    before = error;
+  }
   for (size_t p = 0; p < profiles_.size(); ++p) {
     const Profile& profile = profiles_[p];
     const Eigen::VectorXd errors =
@@ -130,6 +140,12 @@ int StaggeredWeights::solve(int maximumSweeps) {
     if (errors.size() > 0 && !(errors.cwiseAbs().maxCoeff() < acceptable)) return static_cast<int>(p);
   }
   return -1;
+}
+
+void StaggeredWeights::meetWhateverBounds() {
+  constexpr int rounds = 1000;  // a profile with two conditions alternates between them
+  for (Profile& profile : profiles_)
+    for (int i = 0; i < rounds && meetConditions(profile) > precision; ++i) continue;
 }
 
 }  // namespace mien

@@ -31,6 +31,9 @@ class StaggeredWeights {
   /// @return the profile that cannot meet its conditions, or -1
   int solve(int maximumSweeps = 20000);
 
+  /// After a solve() that failed: every profile is moved until it meets its conditions, beyond its bounds.
+  void meetWhateverBounds();
+
   const Eigen::VectorXd& weights(int profile) const { return profiles_[profile].weights; }
 
  private:

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "AffineFit.h"
 #include "FaceLayout.h"
 #include "SmoothWarp.h"
 
@@ -48,6 +49,12 @@ constexpr std::array<const char*, 19> fineCurves = {"C1",  "C3",  "C5",  "C6",  
                                                     "C22", "C23", "C24", "C26", "C28"};
 constexpr int fineColumns = 21;
 
+constexpr int numbered = 68;           // landmarks of Multi-PIE
+constexpr double largestStray = 12.0;  // mm on the face between a point and where the others put it
+// Where the sides are held, and within what share of the width that the features tell.
+constexpr std::array<const char*, 7> sideCurves = {"C1", "C10", "C14", "C17", "C21", "C25", "C28"};
+constexpr double sideShare = 0.93;
+
 std::string setPaper(const FaceCurves& face, FaceWarpLayout& layout) {
   std::array<Place, 25> inner;
   for (std::size_t i = 0; i < inner.size(); ++i)
@@ -89,20 +96,91 @@ Eigen::Vector2d seen(const FaceCurves& face, const Place& place) {
   return {point.x(), -point.y()};
 }
 
-std::string fit(const FaceCurves& face, const ImageLandmarks& landmarks, SmoothWarp::Points& from,
-                SmoothWarp::Points& to) {
-  std::vector<PlacePair> pairs;
-  const std::string fault = landmarks.count("0") != 0
-                                ? pairByNumber(face, landmarks, pairs)
-                                : pairByName(face, {featurePlaces.begin(), featurePlaces.end()}, landmarks, pairs);
-  if (!fault.empty()) return fault;
-  from.resize(pairs.size(), 2);
-  to.resize(pairs.size(), 2);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    from.row(i) = seen(face, pairs[i].first).transpose();
-    to.row(i) = pairs[i].second.transpose();
+bool onNoseOrCheek(const std::string& name) {
+  return name == "5.3" || name == "5.4" || name == "9.12";
+}
+
+std::vector<std::string> namesOf(const ImageLandmarks& landmarks) {
+  std::vector<std::string> names(featurePlaces.begin(), featurePlaces.end());
+  if (landmarks.count("0") == 0) return names;
+  names.clear();
+  for (int i = 0; i < numbered; ++i) names.push_back(std::to_string(i));
+  return names;
+}
+
+std::string describePlace(const Eigen::Vector2d& point) {
+  return "x = " + std::to_string(std::lround(point.x())) + ", y = " + std::to_string(std::lround(point.y()));
+}
+
+std::string describeOutside(const ImageLandmarks& landmarks, double width, double height) {
+  for (const std::string& name : namesOf(landmarks)) {
+    const auto found = landmarks.find(name);
+    if (found == landmarks.end()) continue;
+    const Eigen::Vector2d& p = found->second;
+    if (p.minCoeff() < 0.0 || p.x() > width || p.y() > height)
+      return "landmark " + name + " lies at " + describePlace(p) + ", beyond the picture of " +
+             std::to_string(std::lround(width)) + " x " + std::to_string(std::lround(height)) +
+             " pixels; give the landmarks of this picture, at its size";
   }
   return {};
+}
+
+struct PointPairs {
+  SmoothWarp::Points from, to;
+
+  PointPairs(const FaceCurves& face, const std::vector<PlacePair>& pairs) : from(pairs.size(), 2), to(pairs.size(), 2) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      from.row(i) = seen(face, pairs[i].first).transpose();
+      to.row(i) = pairs[i].second.transpose();
+    }
+  }
+};
+
+/// The photograph as brows, eyes and lips have it, which all find; what cheekbones and nose are is less well known.
+AffineFit fitOfFeatures(const FaceCurves& face, std::vector<PlacePair> pairs) {
+  pairs.erase(
+      std::remove_if(pairs.begin(), pairs.end(), [](const PlacePair& pair) { return onNoseOrCheek(pair.first.name); }),
+      pairs.end());
+  const PointPairs points(face, pairs);
+  return {points.from, points.to};
+}
+
+std::string describeStray(const FaceCurves& face, const AffineFit& fit, const std::vector<PlacePair>& pairs) {
+  double farthest = largestStray;
+  std::string fault;
+  for (const auto& [place, point] : pairs) {
+    const Eigen::Vector2d expected = fit(seen(face, place));
+    const double pixels = (point - expected).norm(), distance = pixels / fit.scale();
+    if (!(distance > farthest)) continue;
+    farthest = distance;
+    fault = "landmark " + place.name + " lies " + std::to_string(std::lround(pixels)) +
+            " pixels from where the others put it, about " + describePlace(expected) +
+            "; doc/warp_points.md shows where each of the 25 belongs";
+  }
+  return fault;
+}
+
+/// Nothing holds the sides where only features are marked: there the face is taken to be as wide as the features say,
+/// and a little less, so that the background stays outside.
+void addSides(const FaceCurves& face, const AffineFit& fit, std::vector<PlacePair>& pairs) {
+  for (const char* curve : sideCurves)
+    for (const double side : {-1.0, 1.0}) {
+      const FacePlace place = {"", static_cast<double>(FaceLayout::curveIndex(curve)), M_PI + side * frontal};
+      Eigen::Vector2d inside = seen(face, place);
+      if (place.curve > 0.0) inside.x() *= sideShare;
+      pairs.emplace_back(place, fit(inside));
+    }
+}
+
+std::string pair(const FaceCurves& face, const ImageLandmarks& landmarks, std::vector<PlacePair>& pairs) {
+  if (landmarks.count("0") != 0) return pairByNumber(face, landmarks, pairs);
+  std::string fault = pairByName(face, {featurePlaces.begin(), featurePlaces.end()}, landmarks, pairs);
+  if (!fault.empty()) return fault;
+  const AffineFit fit = fitOfFeatures(face, pairs);
+  if (!fit.sound()) return {};  // as the smooth map through them, which says so
+  fault = describeStray(face, fit, pairs);
+  if (fault.empty()) addSides(face, fit, pairs);
+  return fault;
 }
 
 template <typename Position>
@@ -167,10 +245,12 @@ WarpMesh startingMesh(const FaceWarpLayout& layout, const FaceCurves& face, doub
 
 std::string photographMesh(const FaceWarpLayout& layout, const FaceCurves& face, const ImageLandmarks& landmarks,
                            double width, double height, WarpMesh& mesh) {
-  SmoothWarp::Points from, to;
-  const std::string fault = fit(face, landmarks, from, to);
+  std::vector<PlacePair> pairs;
+  std::string fault = describeOutside(landmarks, width, height);
+  if (fault.empty()) fault = pair(face, landmarks, pairs);
   if (!fault.empty()) return fault;
-  const SmoothWarp bend(from, to);
+  const PointPairs points(face, pairs);
+  const SmoothWarp bend(points.from, points.to);
   if (!bend.sound()) return "the landmarks lie on a line; give those of a face";
   const WarpMesh made =
       meshOf(layout, width, height, [&](const Place& place) { return Eigen::Vector2d(bend(seen(face, place))); });

@@ -58,8 +58,10 @@ WarpMesh frontMesh(const FaceWarpLayout& layout, const FaceCurves& face, double 
 WarpMesh startingMesh(const FaceWarpLayout& layout, const FaceCurves& face, double width, double height);
 
 /// Where the places lie on a photograph with these landmarks: the face seen from the front, bent so that its feature
-/// points meet them (SmoothWarp). Landmarks are the 68 by number, or the 25 places by name.
-/// @return nothing, or one sentence that says which landmark is missing or that the mesh would be folded
+/// points meet them (SmoothWarp). Landmarks are the 68 by number, or the 25 places by name; with these the sides of the
+/// face lie where the features put them (AffineFit), drawn in by 7 % below the brows.
+/// @return nothing, or one sentence that says which landmark is missing, lies beyond the picture, or (of the 25) more
+/// than 12 mm from where the others put it, or that the mesh would be folded
 std::string photographMesh(const FaceWarpLayout& layout, const FaceCurves& face, const ImageLandmarks& landmarks,
                            double width, double height, WarpMesh& mesh);
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "MonotoneWalk.h"
+#include "SmoothStep.h"
 
 namespace mien {
 
@@ -41,7 +42,8 @@ std::string describeCrossing(const Knots& knots, const std::string& name, const 
 
 }  // namespace
 
-std::string MeshWarp::set(const WarpMesh& source, const WarpMesh& target, ImageSize sourceSize, ImageSize warpedSize) {
+std::string MeshWarp::set(const WarpMesh& source, const WarpMesh& target, ImageSize sourceSize, ImageSize warpedSize,
+                          bool closed) {
   for (const auto& [mesh, name] : {std::pair(&source, "the source mesh"), std::pair(&target, "the target mesh")}) {
     const std::string fault = describeFault(*mesh, name);
     if (!fault.empty()) return fault;
@@ -58,12 +60,26 @@ std::string MeshWarp::set(const WarpMesh& source, const WarpMesh& target, ImageS
   rowTarget_ = crossings(from.y, to.x, sourceSize.height);
   columnSource_ = crossings(to.x.transpose(), from.y.transpose(), warpedSize.width);
   columnTarget_ = crossings(to.x.transpose(), to.y.transpose(), warpedSize.width);
+  if (closed) close(from, to);
   for (const std::string& fault : {describeCrossing(rowSource_, "the source mesh", {"columns", "y"}),
                                    describeCrossing(rowTarget_, "the target mesh", {"columns", "y"}),
                                    describeCrossing(columnSource_, "the source mesh", {"rows", "x"}),
                                    describeCrossing(columnTarget_, "the target mesh", {"rows", "x"})})
     if (!fault.empty()) return fault;
   return {};
+}
+
+void MeshWarp::close(const WarpMesh& from, const WarpMesh& to) {
+  const int last = to.columns() - 1;
+  for (int i = 0; i < to.rows(); ++i) {
+    const double left = to.x(i, 0), right = to.x(i, last);
+    for (int column = 0; column < warpedSize_.width; ++column) {
+      const double share = smoothStep(wayAround(column + 0.5, left, right, warpedSize_.width));
+      if (share == 0.0) continue;
+      columnSource_(column, i) = from.y(i, last) + share * (from.y(i, 0) - from.y(i, last));
+      columnTarget_(column, i) = to.y(i, last) + share * (to.y(i, 0) - to.y(i, last));
+    }
+  }
 }
 
 void MeshWarp::rowBorders(int row, int first, int count, double* x) const {

@@ -11,6 +11,13 @@ struct ImageSize {
   int width = 0, height = 0;
 };
 
+/// How far x, outside of a mesh from left to right, is on the way from the right border around the closing column to
+/// the left one, 0 .. 1; 0 within the mesh.
+inline double wayAround(double x, double left, double right, double width) {
+  if (x >= left && x <= right) return 0.0;
+  return (x > right ? x - right : x - right + width) / (width - right + left);
+}
+
 /// Two-pass mesh warping [S 4.2; Wolberg, Digital Image Warping, 1990, ch. 7]: where every pixel of a warped image
 /// comes from.
 ///
@@ -21,8 +28,11 @@ struct ImageSize {
 class MeshWarp {
  public:
   /// Meshes are scaled to their images: the source image, and the warped one.
+  /// @param closed  the warped image's left and right border meet: its columns outside the target mesh go over from
+  ///                those at its right border, around the closing column, to those at its left border
   /// @return nothing, or one sentence that says what is wrong, such as which rows or columns cross and where
-  std::string set(const WarpMesh& source, const WarpMesh& target, ImageSize sourceSize, ImageSize warpedSize);
+  std::string set(const WarpMesh& source, const WarpMesh& target, ImageSize sourceSize, ImageSize warpedSize,
+                  bool closed = false);
 
   ImageSize sourceSize() const { return sourceSize_; }
   ImageSize warpedSize() const { return warpedSize_; }
@@ -43,6 +53,8 @@ class MeshWarp {
 
  private:
   using Knots = WarpMesh::Coordinates;
+
+  void close(const WarpMesh& from, const WarpMesh& to);
 
   ImageSize sourceSize_, warpedSize_;
   Knots rowSource_, rowTarget_;        ///< source rows x mesh columns: x in the source and in the warped image

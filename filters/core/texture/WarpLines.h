@@ -29,7 +29,7 @@ void closeRow(const MeshWarp& warp, int row, const PixelLine<Value>& line, int c
   for (int i = 0; i < range.count; ++i) {
     const double x = range.first + i + 0.5;
     if (x >= left && x <= right) continue;
-    const double way = (x > right ? x - right : x - right + width) / (width - right + left);
+    const double way = wayAround(x, left, right, width);
     const double places[4] = {0.0, goneOver, 1.0 - goneOver, 1.0};
     const int k = way < places[1] ? 0 : way < places[2] ? 1 : 2;
     const Value share = static_cast<Value>(smoothStep((way - places[k]) / (places[k + 1] - places[k])));

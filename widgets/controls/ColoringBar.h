@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QToolButton;
+
+namespace mien {
+
+class CurveOverlay;
+class FaceColoring;
+
+/// What the face is coloured by, the range of the colours, and whether its curves lie on it.
+/// Its widgets are colorBy, colorAutomatic, colorBegin, colorEnd, faceCurves and faceCurveNames.
+class ColoringBar : public QWidget {
+  Q_OBJECT
+ public:
+  ColoringBar(FaceColoring* coloring, QWidget* parent = nullptr);
+
+ signals:
+  void curvesToggled(bool on);
+  void namesToggled(bool on);
+
+ private:
+  void describe();
+  QToolButton* toggle(const QString& name, const QString& text, const QString& toolTip);
+  void list();
+  void follow();
+
+  FaceColoring* coloring_;
+  QComboBox* choice_;
+  QToolButton* automatic_;
+  QDoubleSpinBox *begin_, *end_;
+};
+
+}  // namespace mien

@@ -1,0 +1,109 @@
+#include "ColorKey.h"
+
+#include <QLinearGradient>
+#include <QPainter>
+#include <algorithm>
+
+#include "FaceLayout.h"
+#include "PatchColors.h"
+#include "Theme.h"
+
+namespace mien {
+
+namespace {
+
+constexpr int side = 12, gap = 12, barHeight = 9, above = 6, tick = 3, below = 4;  // pixels
+constexpr int leastBar = 80, swatch = 14;
+constexpr int stops = 32;
+
+QString patchText(int patch) {
+  const int first = FaceLayout::firstCurve[patch], last = first + FaceLayout::curvesPerPatch - 1;
+  return ColorKey::tr("P%1: %2 to %3")
+      .arg(patch)
+      .arg(QString::fromStdString(FaceLayout::curveName(first)), QString::fromStdString(FaceLayout::curveName(last)));
+}
+
+}  // namespace
+
+ColorKey::ColorKey(QWidget* parent) : QWidget(parent) {
+  setObjectName("colorKey");
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  hide();
+}
+
+QSize ColorKey::sizeHint() const {
+  return {300, above + barHeight + tick + below + fontMetrics().height()};
+}
+
+QSize ColorKey::minimumSizeHint() const {
+  return {120, sizeHint().height()};
+}
+
+void ColorKey::showScale(const ColorLegend::Scale& scale) {
+  shown_ = Shown::Scale;
+  scale_ = scale;
+  setToolTip(tr("%1: what lies beyond an end of the scale has the colour of that end").arg(scale.title));
+  show();
+  update();
+}
+
+void ColorKey::showPatches() {
+  shown_ = Shown::Patches;
+  QStringList patches;
+  for (int i = 0; i < FaceLayout::patchCount; ++i) patches << patchText(i);
+  setToolTip(tr("The nine patches and the curves that bound them\n") + patches.join('\n'));
+  show();
+  update();
+}
+
+void ColorKey::clear() {
+  shown_ = Shown::Nothing;
+  hide();
+}
+
+void ColorKey::paintScale(QPainter& painter) const {
+  const Theme& theme = Theme::current();
+  const QFontMetrics metrics = fontMetrics();
+  const int room = metrics.horizontalAdvance("-0.0005") / 2;  // numbers stand under the ends of the bar
+  const int most = std::max(0, width() - 2 * side - gap - leastBar - 2 * room);
+  const QString title = metrics.elidedText(scale_.title, Qt::ElideRight, most);
+  const int left = side + metrics.horizontalAdvance(title) + gap + room;
+  const QRectF bar(left, above, std::max(leastBar, width() - side - room - left), barHeight);
+  QLinearGradient colors(bar.topLeft(), bar.topRight());
+  for (int i = 0; i <= stops; ++i)
+    colors.setColorAt(i / double(stops), ColorLegend::colorAt(scale_.colors, i / double(stops)));
+  painter.setPen(QPen(theme.line, 1.0));
+  painter.setBrush(colors);
+  painter.drawRect(bar);
+  painter.setPen(theme.text);
+  painter.drawText(QPointF(side, above + barHeight / 2.0 + metrics.ascent() / 2.0 - 1.0), title);
+  for (double share : {0.0, 0.5, 1.0}) {
+    const double x = bar.left() + share * bar.width();
+    const QString text = QString::number(scale_.begin + share * (scale_.end - scale_.begin), 'g', 3);
+    painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + tick));
+    painter.drawText(QPointF(x - metrics.horizontalAdvance(text) / 2.0, bar.bottom() + tick + metrics.ascent()), text);
+  }
+}
+
+void ColorKey::paintPatches(QPainter& painter) const {
+  const QFontMetrics metrics = fontMetrics();
+  const double step = (width() - 2.0 * side) / FaceLayout::patchCount, middle = height() / 2.0;
+  for (int i = 0; i < FaceLayout::patchCount; ++i) {
+    const double left = side + i * step;
+    painter.setPen(QPen(Theme::current().line, 1.0));
+    painter.setBrush(QColor(static_cast<QRgb>(patchColors[i])));
+    painter.drawRect(QRectF(left, middle - swatch / 2.0, swatch, swatch));
+    painter.setPen(Theme::current().text);
+    painter.drawText(QPointF(left + swatch + 5.0, middle + metrics.ascent() / 2.0 - 1.0), tr("P%1").arg(i));
+  }
+}
+
+void ColorKey::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), Theme::current().viewBottom);
+  if (shown_ == Shown::Scale) paintScale(painter);
+  if (shown_ == Shown::Patches) paintPatches(painter);
+}
+
+}  // namespace mien

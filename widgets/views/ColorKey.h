@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QVector>
+#include <QWidget>
+
+#include "ColorLegend.h"
+
+namespace mien {
+
+/// What the colours of a view mean, in a strip below it: a bar with its title, unit and numbers, or the nine patches by
+/// name. Hidden while the colours mean nothing.
+class ColorKey : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ColorKey(QWidget* parent = nullptr);
+
+  void showScale(const ColorLegend::Scale& scale);
+  void showPatches();
+  void clear();
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintScale(QPainter& painter) const;
+  void paintPatches(QPainter& painter) const;
+
+  enum class Shown { Nothing, Scale, Patches } shown_ = Shown::Nothing;
+  ColorLegend::Scale scale_;
+};
+
+}  // namespace mien

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vtkNew.h>
+
+#include <QColor>
+#include <QString>
+
+class vtkLookupTable;
+class vtkPolyDataMapper;
+class vtkRenderer;
+class vtkScalarBarActor;
+
+namespace mien {
+
+/// How values become colours in a view, and a bar within it that says so to a reader.
+/// @sa ColorKey
+class ColorLegend {
+ public:
+  enum class Colors {
+    Sequential,  ///< from the smallest up
+    Diverging    ///< both signs, 0 in the middle
+  };
+
+  /// Ranges are given, never taken from the data by themselves.
+  struct Scale {
+    QString title;  ///< with unit
+    double begin = 0.0, end = 1.0;
+    Colors colors = Colors::Sequential;
+  };
+
+  ColorLegend();
+  ~ColorLegend();
+
+  void setScale(const Scale& scale);
+  void setPatches();  ///< a colour for each of the values 0 .. 8; without a bar
+
+  /// The colour of a share (0 .. 1) of a scale.
+  static QColor colorAt(Colors colors, double share);
+
+  /// Gives a mapper these colours for the values that it has chosen.
+  /// @param component  of values with several; -1: their length
+  void color(vtkPolyDataMapper* mapper, int component = -1) const;
+
+  void show(vtkRenderer* renderer);
+  void hide(vtkRenderer* renderer);
+  void useTheme();
+
+ private:
+  vtkNew<vtkLookupTable> colors_;
+  vtkNew<vtkScalarBarActor> bar_;
+};
+
+}  // namespace mien
