@@ -1,5 +1,7 @@
 #include "vtkBoundaryCurveReader.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include "BoundaryCurveData.h"
 #include "CompactFaceFile.h"
 #include "GenericFaceFile.h"
@@ -27,8 +29,16 @@ std::string readXML(const std::string& name, vtkXMLPolyDataReader* reader) {
   return {};
 }
 
+bool isScan(const std::string& name) {
+  const std::string ending = vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
+  return ending == ".ply" || ending == ".obj" || ending == ".stl" || ending == ".off";
+}
+
 /// @return nothing, or one sentence that names the file
 std::string readFace(const std::string& name, vtkPolyData* output) {
+  if (isScan(name))
+    return name + ": this is a scan, not the boundary curves of a face; make them with mien acquire " + name +
+           " -o FACE.vtp";
   vtkNew<vtkXMLPolyDataReader> reader;
   std::string fault = readXML(name, reader);
   if (!fault.empty()) return fault;

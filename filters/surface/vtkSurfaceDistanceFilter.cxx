@@ -172,7 +172,9 @@ int vtkSurfaceDistanceFilter::RequestData(vtkInformation*, vtkInformationVector*
     summaries[port] = sumUp(sides[port], this->FrontalOnly ? this->FrontalThreshold : everywhere);
     if (summaries[port].points == 0)
       return this->Refuse("no point of the " + std::string(portNames[port]) + " lies at z > " +
-                          vtkVariant(this->FrontalThreshold).ToString() + " mm; lower the frontal threshold");
+                          vtkVariant(this->FrontalThreshold).ToString() +
+                          " mm, where a face in mm that looks along +z has its front; bring both surfaces into such a "
+                          "frame, or compare all points");
   }
   this->Impl->summaries = summaries;
   for (int port = 0; port < 2; ++port) fillOutput(sides[port], vtkPolyData::GetData(outputs, port));

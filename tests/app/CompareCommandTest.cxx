@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "Program.h"
@@ -34,6 +35,19 @@ TEST(CompareCommand, TheSameSurfaceInEveryFormatHasNoDistance) {
       EXPECT_LT(result[way]["max_mm"], 1e-2) << name;
     }
   }
+}
+
+TEST(CompareCommand, UnitsOfTheOtherSurfaceAreToldOrDoubted) {
+  const TemporaryFolder folder;
+  const std::string metres = folder.file("metres.obj"), millimetres = folder.file("millimetres.obj");
+  std::ofstream(metres) << "v 0 0 0\nv 0.1 0 0\nv 0.1 0.2 0\nv 0 0.2 0\nf 1 2 3 4\n";
+  std::ofstream(millimetres) << "v 0 0 0\nv 100 0 0\nv 100 200 0\nv 0 200 0\nf 1 2 3 4\n";
+  const Outcome doubted = runMien({"compare", millimetres, metres, "--json"});
+  EXPECT_NE(doubted.errors.find("are both in mm? --units"), std::string::npos) << doubted.errors;
+  const Outcome told = runMien({"compare", millimetres, metres, "--units", "m", "--json"});
+  EXPECT_EQ(told.errors, "");
+  EXPECT_LT(json::parse(told.output)["b_to_a"]["max_mm"], 1e-4);
+  EXPECT_EQ(runMien({"compare", millimetres, metres, "--units", "mile"}).exitCode, 2);
 }
 
 TEST(CompareCommand, WaysAreExchangedWithTheSurfaces) {

@@ -34,3 +34,15 @@ TEST(NumberText, QuotesAreShortAndHarmless) {
   EXPECT_EQ(inQuotes("a\nb"), "'a?b'");
   EXPECT_EQ(inQuotes(std::string(100, 'x')), "'" + std::string(40, 'x') + "...'");
 }
+
+TEST(NumberText, MessagesHaveThreeDigitsAndNoNoise) {
+  for (const auto& [number, text] : {std::pair{67.1, "67.1"},
+                                     {0.141421356, "0.141"},
+                                     {-173.205, "-173"},
+                                     {0.0, "0"},
+                                     {1234567.0, "1230000"},
+                                     {2.0, "2"},
+                                     {0.00123456, "0.00123"},
+                                     {99.96, "100"}})
+    EXPECT_EQ(roundedText(number), text);
+}

@@ -1,11 +1,15 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 
 #include "Command.h"
 #include "DistanceFigure.h"
 #include "Failure.h"
+#include "LengthUnit.h"
 #include "MeshFile.h"
+#include "NumberText.h"
 #include "PipelineErrors.h"
 #include "PolyDataFile.h"
 #include "ReportOptions.h"
@@ -13,6 +17,8 @@
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSurfaceDistanceFilter.h"
 #include "vtkTable.h"
@@ -24,7 +30,7 @@ namespace {
 using json = nlohmann::ordered_json;
 
 struct Options {
-  std::string surface, reference;
+  std::string surface, reference, units;
   ReportOptions report{{"vtp"}};
   bool frontal = false, withSign = false, skin = false;
 };
@@ -68,9 +74,41 @@ Report reportOf(const Options& options, vtkSurfaceDistanceFilter* filter) {
   return report;
 }
 
+const LengthUnit* unitOf(const Options& options) {
+  if (options.units.empty()) return nullptr;
+  const LengthUnit* unit = lengthUnit(options.units);
+  if (!unit) throw ValueFailure("--units '" + options.units + "' is unknown; it is mm, cm, m or inch");
+  return unit;
+}
+
+void scale(vtkDataObject* mesh, double factor) {
+  auto* set = vtkPointSet::SafeDownCast(mesh);
+  vtkNew<vtkPoints> scaled;
+  scaled->SetDataTypeToDouble();
+  scaled->SetNumberOfPoints(set->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < set->GetNumberOfPoints(); ++i) {
+    const double* p = set->GetPoint(i);
+    scaled->SetPoint(i, factor * p[0], factor * p[1], factor * p[2]);
+  }
+  set->SetPoints(scaled);
+}
+
+/// Two surfaces of heads differ by less than this unless their lengths are in different units.
+void remarkOnSizes(const Options& options, vtkDataObject* surface, vtkDataObject* reference) {
+  constexpr double suspicious = 5.0;
+  const double a = vtkPointSet::SafeDownCast(surface)->GetLength(),
+               b = vtkPointSet::SafeDownCast(reference)->GetLength();
+  if (!(a > 0.0 && b > 0.0) || std::max(a / b, b / a) < suspicious) return;
+  std::cerr << "mien: " << shortName(options.surface) << " is " << roundedText(a) << " mm from corner to corner, "
+            << shortName(options.reference) << " " << roundedText(b)
+            << " mm; are both in mm? --units mm|cm|m|inch says what B is in\n";
+}
+
 void run(const Options& options) {
   options.report.check();
   const auto surface = readMesh(options.surface), reference = readMesh(options.reference);
+  if (const LengthUnit* unit = unitOf(options)) scale(reference, unit->millimetres);
+  remarkOnSizes(options, surface, reference);
   vtkNew<vtkSurfaceDistanceFilter> filter;
   PipelineErrors errors;
   errors.observe(filter);
@@ -94,6 +132,7 @@ void addCompareCommand(CLI::App& program) {
   command->add_option("a", options->surface, "Surface, .vts .vtp .ply .obj .stl .off, mm")->required();
   command->add_option("b", options->reference, "The one it is compared with")->required();
   options->report.addTo(*command);
+  command->add_option("--units", options->units, "What B's lengths are in: mm, cm, m or inch [mm]");
   command->add_flag("--frontal", options->frontal, "Only points with z > 50 mm count");
   command->add_flag("--signed", options->withSign, "Distances behind the other surface are negative in the .vtp file");
   command->add_flag("--largest-part", options->skin,

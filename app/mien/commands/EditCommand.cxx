@@ -79,12 +79,18 @@ Eigen::Vector3d parseMove(const std::string& text) {
   return {parseNumber("--move", parts[0]), parseNumber("--move", parts[1]), parseNumber("--move", parts[2])};
 }
 
+std::string featureNames(const FaceCurves& face) {
+  std::string names;
+  for (const FeaturePoint& feature : face.features) names += (names.empty() ? "" : ", ") + feature.id;
+  return names.empty() ? "none" : names;
+}
+
 CurveEdit editOf(const EditText& text, const FaceCurves& face) {
   CurveEdit edit;
   if (!text.feature.empty()) {
     const FeaturePoint* feature = face.feature(text.feature);
     if (!feature)
-      throw ValueFailure("--feature " + text.feature + " is not on this face; mien info lists those that are");
+      throw ValueFailure("--feature " + text.feature + " is not on this face; it has " + featureNames(face));
     edit.curve = feature->curve;
     edit.v = feature->v;
   }

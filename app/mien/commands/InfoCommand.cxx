@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -6,20 +8,25 @@
 #include "AnimationInfo.h"
 #include "BoundaryCurveData.h"
 #include "Command.h"
+#include "CurveCrossings.h"
 #include "FAPUnits.h"
 #include "FaceLayout.h"
 #include "FaceOptions.h"
 #include "FacePipeline.h"
 #include "Failure.h"
 #include "InfoText.h"
+#include "NumberText.h"
 #include "OutputFile.h"
 #include "ProgressLine.h"
 #include "Remarks.h"
 #include "RowLayout.h"
 #include "TableInfo.h"
 #include "vtkBoundaryCurveReader.h"
+#include "vtkDataArray.h"
 #include "vtkFAPReader.h"
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 namespace mien {
 
@@ -65,6 +72,20 @@ json describeBounds(const ClosedCurves& curves) {
   return bounds;
 }
 
+/// What a compact face says of itself: its name and how far its curves are from those stored.
+void addStatement(vtkFieldData* fields, json& description) {
+  if (auto* name = vtkStringArray::SafeDownCast(fields->GetAbstractArray("FaceName")))
+    description["face_name"] = std::string(name->GetValue(0));
+  if (vtkDataArray* error = fields->GetArray("StoredError"))
+    description["stored_error_mm"] = {{"rms", error->GetComponent(0, 0)}, {"max", error->GetComponent(0, 1)}};
+}
+
+std::uintmax_t fileSize(const std::string& name) {
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(name, none);
+  return none ? 0 : size;
+}
+
 json describeFace(const FacePipeline& pipeline) {
   const FaceState& state = pipeline.state();
   const FaceCurves face = neutralFace(pipeline);
@@ -78,6 +99,11 @@ json describeFace(const FacePipeline& pipeline) {
   description["units"] = "mm";
   description["bounds"] = describeBounds(face.curves);
   description["feature_points"] = face.features.size();
+  description["feature_ids"] = json::array();
+  for (const FeaturePoint& feature : face.features) description["feature_ids"].push_back(feature.id);
+  description["crossings"] = namedCrossings(face.curves);
+  addStatement(pipeline.neutralCurves()->GetOutput()->GetFieldData(), description);
+  if (!state.curvesFile.empty()) description["file_bytes"] = fileSize(state.curvesFile);
   description["fapu"] = describeUnits(face, name);
   description["rows"] = state.rows;
   description["columns"] = state.columns;
@@ -99,7 +125,14 @@ void printFace(const json& face) {
   printLine("patches", face["patches"].dump());
   printLine("size", face["bytes"].dump() + " bytes in single precision");
   printExtents(face["bounds"]);
-  printLine("feature points", face["feature_points"].dump());
+  if (face.contains("face_name")) printLine("name", face["face_name"]);
+  if (face.contains("stored_error_mm"))
+    printLine("stored error", roundedText(face["stored_error_mm"]["rms"]) + " mm RMS, at most " +
+                                  roundedText(face["stored_error_mm"]["max"]) + " mm");
+  if (face.contains("file_bytes")) printLine("file", face["file_bytes"].dump() + " bytes");
+  const std::string crossings = face["crossings"];
+  printLine("crossings", crossings.empty() ? "none" : crossings);
+  printLine("feature points", face["feature_points"].dump() + ": " + joined(face["feature_ids"]));
   for (const auto& unit : face["fapu"].items()) printLine(unit.key(), twoDigits(unit.value()) + " mm");
   printLine("uv mesh", face["rows"].dump() + " rows x " + face["columns"].dump() + " columns");
   printLine("curves missed", joined(face["curves_missed"]));

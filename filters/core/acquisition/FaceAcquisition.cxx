@@ -7,6 +7,7 @@
 #include "FaceFeatures.h"
 #include "FaceLayout.h"
 #include "FaceProfiles.h"
+#include "NumberText.h"
 
 namespace mien {
 
@@ -46,7 +47,7 @@ double heightWithSkin(const EarlessSkin& skin, double azimuth, double y, double 
 
 std::string missingSkin(int curve, int j, double y) {
   return "the scan has no skin at point " + std::to_string(j) + " of curve " + FaceLayout::curveName(curve) +
-         " (height " + std::to_string(y) + " mm); the head must be whole all around";
+         " (height " + roundedText(y) + " mm); the head must be whole all around";
 }
 
 std::string sampleCurves(const EarlessSkin& skin, const FaceProfiles& profiles, ClosedCurves& curves) {

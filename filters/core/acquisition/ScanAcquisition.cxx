@@ -106,7 +106,10 @@ class FaceSearch {
       return "no face was found on the scan: the generic face lies " + roundedText(best.fit.distance) +
              " mm (RMS) from it at best, and their relief agrees by " + roundedText(best.fit.relief) + " (at most " +
              roundedText(largestDistance) + " mm and at least " + roundedText(leastRelief) +
-             " are needed); give the landmarks with --landmarks, or the unit with --units";
+             " are needed); give the landmarks with --landmarks" +
+             (settings_.millimetres > 0.0
+                  ? ", or look at the unit: 1 was taken as " + roundedText(settings_.millimetres) + " mm, as asked for"
+                  : std::string(", or the unit with --units"));
     if (trials_.size() > 1 && trials_[1].isFace() && trials_[1].score() < clearlyBetter * best.score())
       return "the scan may be in " + best.unit.fullName + " or in " + trials_[1].unit.fullName + askForUnit(0.0);
     return {};

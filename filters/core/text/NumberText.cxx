@@ -1,6 +1,7 @@
 #include "NumberText.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -54,8 +55,18 @@ std::string numberText(double number) {
 }
 
 std::string roundedText(double number) {
-  const double step = std::pow(10.0, std::floor(std::log10(std::max(std::abs(number), 1e-12))) - 2.0);
-  return numberText(std::round(number / step) * step).substr(0, 10);
+  constexpr int mostDecimals = 12;
+  if (!std::isfinite(number)) return std::isnan(number) ? "nan" : number > 0.0 ? "inf" : "-inf";
+  const int decimals = 2 - static_cast<int>(std::floor(std::log10(std::max(std::abs(number), 1e-12))));
+  if (decimals < 0) {
+    const double step = std::pow(10.0, -decimals);
+    return numberText(std::round(number / step) * step);
+  }
+  std::array<char, 64> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed,
+                                 std::min(decimals, mostDecimals));
+  const std::string rounded(text.data(), end.ptr);
+  return numberText(parseNumber(rounded).value_or(number));
 }
 
 void splitAtBlanks(std::string_view line, std::vector<std::string_view>& parts) {
