@@ -31,7 +31,7 @@ std::vector<Change> changes() {
           [](FaceState& s) {
             s.edits = {{6, 1.0 / 3.0, {0.1, 0.2, 1.0 / 7.0}, 0.7, 1, true}};
           },
-          [](FaceState& s) { s.surface.scheme = "spline"; },
+          [](FaceState& s) { s.surface.scheme = "four-curve"; },
           [](FaceState& s) { s.surface.smoothing.fill(0.1 + 0.2); },
           [](FaceState& s) { s.surface.smoothing[4] = 1.0 / 3.0; },
           [](FaceState& s) { s.surface.modes = 7, s.surface.remainder = false; },

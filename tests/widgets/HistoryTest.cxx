@@ -207,11 +207,12 @@ TEST_F(History, WhatIsTypedIntoATextIsUndoneThereFirst) {
 }
 
 /// What a list has chosen that was filled in the background meanwhile is not what the user did.
-json knownBefore(json now, const json& before) {
-  for (auto& dock : now.items())
-    for (const auto& setting : json(dock.value()).items())
-      if (!before[dock.key()].contains(setting.key())) dock.value().erase(setting.key());
-  return now;
+json knownBefore(const json& now, const json& before) {
+  json known = json::object();
+  for (const auto& dock : now.items())
+    for (const auto& setting : dock.value().items())
+      if (before[dock.key()].contains(setting.key())) known[dock.key()][setting.key()] = setting.value();
+  return known;
 }
 
 /// One act of a user who tries everything: a widget by chance, and a value near the present one.

@@ -65,7 +65,7 @@ class Session : public StudioFixture {
     state.curvesFile = curves.toStdString();
     state.edits = {mien::CurveEdit::ofPoint(5, 20, 40)};
     state.edits[0].move = {0.1, 0.7, 1.0 / 3.0};
-    state.surface.scheme = "spline";
+    state.surface.scheme = "tangent";
     state.surface.smoothing = {0.1, 0.2, 0.3, 1.0 / 3.0, 1, 2, 3, 4, 5};
     state.surface.modes = 7;
     state.surface.remainder = false;
