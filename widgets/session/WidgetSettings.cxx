@@ -27,7 +27,7 @@ using Of = WidgetSettings::Of;
 
 constexpr const char* outsideDocks = "window";
 constexpr const char* awaited = "awaitedChoice";  // of a list that does not hold it yet
-constexpr int passes = 2;                         // ranges of numbers follow from choices
+constexpr int passes = 5;  // at most: numbers follow choices, and what one dock shows on the face ends what others show
 
 template <class... Classes>
 bool isOneOf(const QObject* object) {
@@ -136,16 +136,21 @@ json WidgetSettings::read(const QObject& window, Of of) {
 }
 
 void WidgetSettings::apply(const QObject& window, const json& settings) {
-  for (int pass = 0; pass < passes; ++pass)
+  bool differs = true;
+  for (int pass = 0; pass < passes && differs; ++pass) {
+    differs = false;
     for (const QPointer<QObject>& object : childrenOf(window)) {
       if (!object) continue;  // what is set may take others away
-      const bool isEmptyList = qobject_cast<QComboBox*>(object.data()) && !object->objectName().isEmpty();
-      if (!isKept(object, Of::Session) && !isEmptyList) continue;
+      const bool isList = qobject_cast<QComboBox*>(object.data()) && !object->objectName().isEmpty();
+      if (!isKept(object, Of::Session) && !isList) continue;
       const auto dock = settings.find(dockOf(object));
       if (dock == settings.end() || !dock->is_object()) continue;
       const auto value = dock->find(object->objectName().toStdString());
-      if (value != dock->end() && *value != valueOf(object)) set(object, *value);
+      if (value == dock->end() || *value == valueOf(object)) continue;
+      differs = true;
+      set(object, *value);
     }
+  }
 }
 
 const QObject* WidgetSettings::find(const QObject& window, const std::string& dock, const std::string& name) {
