@@ -101,6 +101,8 @@ struct FacePipeline::Internals {
     if (isAnimated(state) || !errors.first().empty()) return false;
     if (!canBeAnimated(reader->GetOutput())) return true;
     if (!state.animationTable.empty()) return false;
+    edit->Update();
+    if (!errors.first().empty()) return false;  // the face's own fault, not the table's
     animation->Update();
     const bool refused = !errors.first().empty();
     if (refused) {

@@ -24,7 +24,7 @@ std::vector<vtkIdType> chosenPoints(vtkPointSet* data, const mien::FaceFrame& fr
   std::vector<vtkIdType> chosen;
   for (std::size_t i = 0; i < frame.points.size(); ++i) {
     const Eigen::Vector3d place = frame.pupils.apply(frame.points[i].position);
-    const bool face = !frame.isMesh || mien::coverageOf(regions, place, frame.points[i]) == 1.0;
+    const bool face = !frame.isMesh || mien::isFitted(regions, place, frame.points[i]);
     const bool pupil =
         names && (names->GetValue(i) == options.leftPupilName || names->GetValue(i) == options.rightPupilName);
     if (face && !pupil) chosen.push_back(static_cast<vtkIdType>(i));

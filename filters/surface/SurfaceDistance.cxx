@@ -125,13 +125,14 @@ SurfaceDistance::SurfaceDistance(vtkPolyData* triangles) : Impl(new Internals) {
 
 SurfaceDistance::~SurfaceDistance() = default;
 
-double SurfaceDistance::operator()(const double point[3], bool withSign) const {
+double SurfaceDistance::operator()(const double point[3], bool withSign, double nearest[3]) const {
   double closest[3], squared = 0.0;
   vtkIdType cell = -1;
   int part = 0;
   thread_local vtkNew<vtkGenericCell> found;
   this->Impl->locator->FindClosestPoint(point, closest, found, cell, part, squared);
   const double distance = std::sqrt(squared);
+  if (nearest) std::copy(closest, closest + 3, nearest);
   if (!withSign || cell < 0) return distance;
   const Vector away = difference(point, closest), outside = this->Impl->outside(cell, closest);
   return vtkMath::Dot(away, outside) < 0.0 ? -distance : distance;

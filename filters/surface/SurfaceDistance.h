@@ -31,7 +31,8 @@ class MIENSURFACE_EXPORT SurfaceDistance {
 
   /// The distance to the nearest point (mm). Signed: negative behind the surface, told by the normal of the nearest
   /// triangle, edge or corner [Baerentzen and Aanaes 2005, angle-weighted pseudonormals].
-  double operator()(const double point[3], bool withSign) const;
+  /// @param nearest  if not nullptr, that point
+  double operator()(const double point[3], bool withSign, double nearest[3] = nullptr) const;
 
  private:
   struct Internals;

@@ -29,16 +29,18 @@ std::string readXML(const std::string& name, vtkXMLPolyDataReader* reader) {
   return {};
 }
 
-bool isScan(const std::string& name) {
+/// Whether a file's name says that it holds a surface, not curves.
+bool isMeshName(const std::string& name) {
   const std::string ending = vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
-  return ending == ".ply" || ending == ".obj" || ending == ".stl" || ending == ".off";
+  return ending == ".ply" || ending == ".obj" || ending == ".stl" || ending == ".off" || ending == ".vts";
 }
 
 /// @return nothing, or one sentence that names the file
 std::string readFace(const std::string& name, vtkPolyData* output) {
-  if (isScan(name))
-    return name + ": this is a scan, not the boundary curves of a face; make them with mien acquire " + name +
-           " -o FACE.vtp";
+  if (isMeshName(name))
+    return name +
+           ": this is a mesh; a face is boundary curves in a .vtp or .mienz file, which of a scan mien acquire " +
+           name + " -o FACE.vtp makes";
   vtkNew<vtkXMLPolyDataReader> reader;
   std::string fault = readXML(name, reader);
   if (!fault.empty()) return fault;

@@ -1,8 +1,10 @@
 #include "vtkPDEParameterSweep.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "BreakdownSearch.h"
 #include "FaceCurves.h"
 #include "FoldedCells.h"
 #include "NumberRange.h"
@@ -195,9 +197,21 @@ int vtkPDEParameterSweep::RequestData(vtkInformation*, vtkInformationVector** in
     return !this->GetAbortExecute();
   });
   if (!records) return 1;
-  this->Impl->breakdowns = mien::findBreakdowns(*records, sweep.rows, sweep.columns);
+  this->FindBreakdowns(face, sweep, *records);
+  if (this->GetAbortExecute()) return 1;
   fillTable(*records, distance != nullptr, vtkTable::GetData(outputs));
   return 1;
+}
+
+void vtkPDEParameterSweep::FindBreakdowns(const mien::FaceCurves& face, const mien::SmoothingSweepOptions& sweep,
+                                          const std::vector<mien::SweepRecord>& records) {
+  const double least = *std::min_element(sweep.smoothing.begin(), sweep.smoothing.end());
+  mien::BreakdownSearch search(face, sweep.surface, least);
+  search.setProgress([this] { return !this->GetAbortExecute(); });
+  this->Impl->breakdowns = mien::findBreakdowns(records);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Impl->breakdowns.size()), 1, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i) this->Impl->breakdowns[i] = search.refine(this->Impl->breakdowns[i]);
+  });
 }
 
 int vtkPDEParameterSweep::Refuse(const std::string& fault) {

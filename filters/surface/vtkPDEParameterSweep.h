@@ -13,6 +13,8 @@
  * - `lebesgue`: how much the surface can exceed its curves (FaceLebesgue.h);
  * - `g1_max_deg`: the largest angle between normals across a seam, at the grid's columns;
  * - `folded_cells`, `folded_cells_on_seams`: cells with z > 50 mm turned against a neighbour by more than 90 degrees;
+ * - `turned_area_share`: of the front, whose normal is turned by more than 90 degrees against the same scheme at a =
+ * 0.1;
  * - `willmore_energy`: the integral of the squared mean curvature (no unit);
  * - `box_ratio`: how much the curves' bounding box must grow to hold the surface;
  * - `distance_rms_mm`, with a reference only: from the surface's part with z > 50 mm to the reference, area-weighted;
@@ -32,8 +34,10 @@
 class vtkTable;
 
 namespace mien {
+struct FaceCurves;
 struct SmoothingSweepOptions;
-}
+struct SweepRecord;
+}  // namespace mien
 
 class MIENSURFACE_EXPORT vtkPDEParameterSweep : public vtkPDEFaceAlgorithm {
  public:
@@ -85,7 +89,8 @@ class MIENSURFACE_EXPORT vtkPDEParameterSweep : public vtkPDEFaceAlgorithm {
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
-  /** The a from which on a scheme of the last update is no face any more (SweepBreakdown.h), or NaN if it held. */
+  /** The a from which on a scheme of the last update is no face any more (SweepBreakdown.h), to 1 percent whatever the
+   * resolution and the values swept (BreakdownSearch.h), or NaN if it held. */
   double GetBreakdown(const std::string& scheme) const;
   /** What happens there, one sentence; empty if it held. */
   std::string GetBreakdownReason(const std::string& scheme) const;
@@ -103,6 +108,8 @@ class MIENSURFACE_EXPORT vtkPDEParameterSweep : public vtkPDEFaceAlgorithm {
   void operator=(const vtkPDEParameterSweep&) = delete;
 
   mien::SmoothingSweepOptions MakeSweep() const;
+  void FindBreakdowns(const mien::FaceCurves& face, const mien::SmoothingSweepOptions& sweep,
+                      const std::vector<mien::SweepRecord>& records);
   int Refuse(const std::string& fault);
 
   struct Internals;

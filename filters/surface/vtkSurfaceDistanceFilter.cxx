@@ -36,6 +36,7 @@ const char* const directionNames[] = {"to reference", "from reference"};
 /// One of the two surfaces on its way through the filter.
 struct Side : mien::SurfaceMesh {
   std::vector<double> areas, distances;
+  std::vector<double> vectors;  ///< three for each point; empty when they are not wanted
 };
 
 vtkSmartPointer<vtkDoubleArray> column(const char* name) {
@@ -72,6 +73,12 @@ void fillOutput(const Side& side, vtkPolyData* output) {
   distances->SetNumberOfTuples(side.surface->GetNumberOfPoints());
   std::copy(side.distances.begin(), side.distances.end(), distances->GetPointer(0));
   output->GetPointData()->AddArray(distances);
+  if (side.vectors.empty()) return;
+  const auto vectors = column("DistanceVector");
+  vectors->SetNumberOfComponents(3);
+  vectors->SetNumberOfTuples(side.surface->GetNumberOfPoints());
+  std::copy(side.vectors.begin(), side.vectors.end(), vectors->GetPointer(0));
+  output->GetPointData()->AddArray(vectors);
 }
 
 /// @return nothing, or one sentence that says why the data are no surface
@@ -100,10 +107,11 @@ struct vtkSurfaceDistanceFilter::Internals {
       if (self->GetAbortExecute()) return false;
       const vtkIdType end = std::min(count, begin + pointsPerSlab);
       vtkSMPTools::For(begin, end, pointsPerTask, [&](vtkIdType first, vtkIdType last) {
-        double point[3];
+        double point[3], nearest[3];
         for (vtkIdType i = first; i < last; ++i) {
           from.triangles->GetPoint(i, point);
-          from.distances[i] = distance(point, withSign);
+          from.distances[i] = distance(point, withSign, nearest);
+          for (int k = 0; k < 3 && !from.vectors.empty(); ++k) from.vectors[3 * i + k] = nearest[k] - point[k];
         }
       });
       self->UpdateProgress(progress + 0.5 * end / count);
@@ -168,6 +176,7 @@ int vtkSurfaceDistanceFilter::RequestData(vtkInformation*, vtkInformationVector*
   }
   std::array<mien::DistanceSummary, 2> summaries;
   for (int port = 0; port < 2; ++port) {
+    if (this->GenerateVectors) sides[port].vectors.resize(3 * sides[port].triangles->GetNumberOfPoints());
     if (!Internals::measure(sides[port], sides[1 - port], this->Signed, 0.5 * port, this)) return 1;
     summaries[port] = sumUp(sides[port], this->FrontalOnly ? this->FrontalThreshold : everywhere);
     if (summaries[port].points == 0)
@@ -192,5 +201,6 @@ void vtkSurfaceDistanceFilter::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "FrontalOnly: " << this->FrontalOnly << "\n";
   os << indent << "FrontalThreshold: " << this->FrontalThreshold << "\n";
   os << indent << "Signed: " << this->Signed << "\n";
+  os << indent << "GenerateVectors: " << this->GenerateVectors << "\n";
   os << indent << "LargestComponentOnly: " << this->LargestComponentOnly << "\n";
 }

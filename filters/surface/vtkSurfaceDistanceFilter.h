@@ -4,7 +4,8 @@
  *
  * Inputs: port 0 the surface, port 1 the reference, each vtkPolyData or vtkStructuredGrid (of which the visible cells
  * are taken, as vtkGeometryFilter does), lengths in mm. Outputs: port 0 the surface and port 1 the reference as
- * vtkPolyData with the point array `Distance` (mm, double) to the other; port 2 a vtkTable with one row each way,
+ * vtkPolyData with the point array `Distance` (mm, double) to the other, and with GenerateVectors `DistanceVector`
+ * (3 components, mm, double) to its nearest point; port 2 a vtkTable with one row each way,
  * columns `direction` ("to reference", "from reference"), `rms_mm`, `mean_mm`, `median_mm`, `p95_mm`, `max_mm`,
  * `area_mm2` and `points`. RMS, mean, median and 95th percentile are weighted with the area that belongs to each
  * point, a third of every triangle around it.
@@ -58,6 +59,13 @@ class MIENSURFACE_EXPORT vtkSurfaceDistanceFilter : public vtkPolyDataAlgorithm 
   ///@}
 
   ///@{
+  /** Whether `DistanceVector` is added. Default off. */
+  vtkSetMacro(GenerateVectors, bool);
+  vtkGetMacro(GenerateVectors, bool);
+  vtkBooleanMacro(GenerateVectors, bool);
+  ///@}
+
+  ///@{
   /** Whether only the reference's largest connected part counts: the skin of a head without its eyeballs. Default off.
    */
   vtkSetMacro(LargestComponentOnly, bool);
@@ -93,6 +101,7 @@ class MIENSURFACE_EXPORT vtkSurfaceDistanceFilter : public vtkPolyDataAlgorithm 
   bool FrontalOnly = false;
   double FrontalThreshold = 50.0;
   bool Signed = false;
+  bool GenerateVectors = false;
   bool LargestComponentOnly = false;
 };
 

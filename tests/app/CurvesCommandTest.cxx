@@ -100,7 +100,7 @@ TEST(CurvesCommand, DamagedCompactFacesAndWrongTolerancesAreRefused) {
   EXPECT_EQ(outcome.errors,
             "mien: " + face +
                 ": the checksum is wrong: the file is damaged or cut off; copy the file again or write it anew\n");
-  for (const char* const tolerance : {"0", "-1mm", "1e9", "0.1cm", "x"})
+  for (const char* const tolerance : {"0", "-1mm", "1e9", "0.1 furlong", "x"})
     EXPECT_EQ(runMien({"curves", "--tolerance", tolerance, "-o", folder.file("d.mienz")}).exitCode, 2) << tolerance;
   EXPECT_EQ(entriesIn(folder.file("")), 1);
 }

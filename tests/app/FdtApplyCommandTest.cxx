@@ -39,7 +39,7 @@ double largestDistance(vtkPointSet* a, vtkPointSet* b) {
 
 }  // namespace
 
-TEST(FdtApplyCommand, AFitOfWhatWasAppliedIsTheTable) {
+TEST(FdtApplyCommand, AFitOfWhatWasAppliedIsTheTableWithinTheFace) {
   for (const Axes axes : {Axes::Millimetres, Axes::Pixels}) {
     const TemporaryFolder folder;
     const std::string before = folder.file("a.csv"), after = folder.file("b.csv"), table = folder.file("t.csv");
@@ -53,7 +53,12 @@ TEST(FdtApplyCommand, AFitOfWhatWasAppliedIsTheTable) {
     const Outcome applied = runMien(apply), fitted = runMien(fit);
     ASSERT_EQ(applied.exitCode, 0) << applied.errors;
     ASSERT_EQ(fitted.exitCode, 0) << fitted.errors;
-    EXPECT_LT(tableDifference(tableFrom(table), *mien::namedTable("joy")), 1e-9);
+    // The other regions reach the outline, near which movement fades.
+    const mien::DeformationTable found = tableFrom(table), wanted = *mien::namedTable("joy");
+    for (const int region : {3, 8, 9, 12, 13})
+      EXPECT_LT((found.maps[region - 1].coefficients - wanted.maps[region - 1].coefficients).cwiseAbs().maxCoeff(),
+                1e-9)
+          << region;
   }
 }
 
@@ -154,7 +159,9 @@ TEST(FdtApplyCommand, PolygonsAndWhatElseTheFileSaysAreKept) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
     const std::string result = readTextFile(moved), source = readTextFile(folder.file(name));
     const auto faces = [](const std::string& file) { return file.substr(file.find("element face"), 25); };
-    if (std::string(name) == "a.ply") EXPECT_EQ(faces(result), faces(source)) << "quads are no triangles";
+    if (std::string(name) == "a.ply") {
+      EXPECT_EQ(faces(result), faces(source)) << "quads are no triangles";
+    }
     if (std::string(name) == "b.obj")
       EXPECT_EQ(result.substr(result.find("vt 0.25")), source.substr(source.find("vt 0.25")));
     EXPECT_NE(result, source);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -131,6 +132,55 @@ TEST(FigureCommand, AFigureIsDrawnAgainFromItsFile) {
   }
 }
 
+TEST(FigureCommand, OptionsBesideAFileReplaceItsOwn) {
+  const TemporaryFolder folder;
+  run({"pde-1", "--scheme", "tangent", "--no-labels", "--width", "120", "-o", folder.file("made.svg")});
+  run({"--from", folder.file("made.svg"), "--width", "85", "--theme", "dark", "-o", folder.file("again.svg")});
+  run({"pde-1", "--scheme", "tangent", "--no-labels", "--width", "85", "--theme", "dark", "-o",
+       folder.file("asked.svg")});
+  const std::string again = readTextFile(folder.file("again.svg")), asked = readTextFile(folder.file("asked.svg"));
+  EXPECT_EQ(wordsOf(again), wordsOf(asked));
+  EXPECT_NE(again.find("width=\"85mm\""), std::string::npos);
+  EXPECT_NE(again.find("--scheme tangent"), std::string::npos) << "what was not given anew stays";
+}
+
+TEST(FigureCommand, WordsAndLabelsCanBeLeftOut) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("x.svg");
+  for (const std::string id : {"pde-5", "mien-spectrum", "mien-continuity"}) {
+    run({id, "-o", file});
+    EXPECT_NE(wordsOf(readTextFile(file)).find("(b)"), std::string::npos) << id;
+    run({id, "--no-labels", "--no-caption", "-o", file});
+    const std::string svg = readTextFile(file), words = wordsOf(svg);
+    EXPECT_EQ(words.find("(b)"), std::string::npos) << id;
+    EXPECT_EQ(words.find("N = 5"), std::string::npos) << id;
+    EXPECT_NE(svg.find("N = "), std::string::npos) << id << " keeps its parameters in its metadata";
+  }
+}
+
+TEST(FigureCommand, PicturesInPdfAreExactAndWithoutMasks) {
+  const TemporaryFolder folder;
+  run({"pde-2", "--dpi", "60", "-o", folder.file("x.pdf")});
+  const std::string pdf = readTextFile(folder.file("x.pdf"));
+  EXPECT_GT(countOf(pdf, "/Subtype /Image"), 0);
+  EXPECT_EQ(countOf(pdf, "DCTDecode"), 0) << "JPEG loses";
+  EXPECT_EQ(countOf(pdf, "/SMask"), countOf(pdf, "/SMask /None"));
+}
+
+TEST(FigureCommand, AFigureHigherThanAPageIsSaid) {
+  const TemporaryFolder folder;
+  EXPECT_NE(run({"pde-table-1", "--width", "40", "-o", folder.file("x.svg")}).errors.find("240 mm of a page"),
+            std::string::npos);
+}
+
+TEST(FigureCommand, WidthsHaveUnits) {
+  const TemporaryFolder folder;
+  run({"pde-5", "--width", "85", "-o", folder.file("a.svg")});
+  run({"pde-5", "--width", "8.5cm", "-o", folder.file("b.svg")});
+  EXPECT_EQ(wordsOf(readTextFile(folder.file("a.svg"))), wordsOf(readTextFile(folder.file("b.svg"))));
+  EXPECT_NE(readTextFile(folder.file("b.svg")).find("width=\"85mm\""), std::string::npos);
+}
+
 TEST(FigureCommand, TheTableOfExpressionsIsTheFile) {
   const TemporaryFolder folder;
   run({"pde-table-1", "-o", folder.file("x.svg")});
@@ -141,7 +191,8 @@ TEST(FigureCommand, TheTableOfExpressionsIsTheFile) {
     for (const auto& action : expression["actions"])
       for (const auto& [fap, value] : action["faps"].items()) {
         std::ostringstream cell;
-        cell << fap << ":\u00a0" << value.get<double>();
+        const double number = value.get<double>();
+        cell << fap << ":\u00a0" << (number < 0.0 ? "−" : "") << std::abs(number);
         EXPECT_NE(words.find(cell.str()), std::string::npos) << expression["name"] << " " << cell.str();
         ++checked;
       }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include "FaceStateText.h"
 #include "PictureFile.h"
@@ -111,6 +112,48 @@ TEST(RenderCommand, ThePictureCarriesItsState) {
   ASSERT_EQ(mien::readFaceState(text, state), "") << text;
   EXPECT_EQ(state.surface.scheme, "tangent");
   EXPECT_EQ(state.rows, 29);
+}
+
+TEST(RenderCommand, DrawsMeshesOfEveryFormatAlike) {
+  const TemporaryFolder folder;
+  const auto inner = [&](const std::string& mesh, std::vector<std::string> options = {}) {
+    options.insert(options.begin(), {mesh, "--size", "80x80"});
+    const auto picture = render(folder, options);
+    double sum = 0.0;
+    for (int y = 30; y < 50; ++y)
+      for (int x = 30; x < 50; ++x) sum += picture->GetScalarComponentAsDouble(x, y, 0, 1) / 400.0;
+    return sum;
+  };
+  double first = 0.0;
+  for (const char* ending : {"ply", "obj", "stl", "off", "vtp", "vts"}) {
+    const std::string file = folder.file(std::string("face.") + ending);
+    ASSERT_EQ(runMien({"surface", "-o", file}).exitCode, 0) << ending;
+    const double seen = inner(file);
+    if (first == 0.0) first = seen;
+    EXPECT_GT(seen, 120.0) << ending << ": outsides are lit, insides are dark";
+    EXPECT_NEAR(seen, first, 4.0) << ending;
+  }
+  EXPECT_LT(inner(folder.file("face.vtp"), {"--color-by", "PatchId"}), first - 10.0);
+  EXPECT_GT(shareUnlikeCorner(render(folder, {folder.file("face.off"), "--style", "wireframe", "--size", "80x80"})),
+            0.1);
+}
+
+TEST(RenderCommand, SaysWhatIsNoFaceAndWhatIsNoMesh) {
+  const TemporaryFolder folder;
+  const std::string mesh = folder.file("face.ply"), picture = folder.file("face.png");
+  ASSERT_EQ(runMien({"surface", "-o", mesh}).exitCode, 0);
+  const Outcome face = runMien({"render", "--face", mesh, "-o", picture});
+  EXPECT_EQ(face.exitCode, 1);
+  for (const char* word : {"face.ply", ".vtp", ".mienz", "mien acquire"})
+    EXPECT_NE(face.errors.find(word), std::string::npos) << face.errors;
+  const Outcome moved = runMien({"render", mesh, "--expression", "joy", "-o", picture});
+  EXPECT_EQ(moved.exitCode, 2);
+  EXPECT_NE(moved.errors.find("mien acquire"), std::string::npos) << moved.errors;
+  ASSERT_EQ(runMien({"curves", "-o", folder.file("curves.vtp")}).exitCode, 0);
+  const Outcome curves = runMien({"render", folder.file("curves.vtp"), "-o", picture});
+  EXPECT_EQ(curves.exitCode, 1);
+  EXPECT_NE(curves.errors.find("--face"), std::string::npos) << curves.errors;
+  EXPECT_FALSE(std::filesystem::exists(picture));
 }
 
 TEST(RenderCommand, WrongValuesAreRefused) {

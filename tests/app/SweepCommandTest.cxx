@@ -49,7 +49,7 @@ TEST(SweepCommand, OneFigureHasAllSchemesAndTheirBreakdowns) {
   ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
   const std::string figure = readTextFile(folder.file("a.svg")), table = readTextFile(folder.file("a.csv"));
   for (const char* const part : {"four-curve", "derivative", "sixth-order", "tangent", "curvature", "spline",
-                                 "breaks down here", "Lebesgue constant", "N = 5 with remainder", "29 x 40"})
+                                 "breaks down here", "Lebesgue constant", "N = 5 with remainder", "29 × 40"})
     EXPECT_NE(figure.find(part), std::string::npos) << part;
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 6 * 8);
 }

@@ -30,6 +30,6 @@ TEST(DepthMovement, IsTheRootMeanSquareOfZInEachRegion) {
   EXPECT_NEAR(depth.regions[8], 0.4, 1e-12);
   EXPECT_EQ(depth.regions[0], 0.0);
   int counted = 0;
-  for (const DeformationPoint& point : before) counted += map.outlineWeight(point.position.head<2>()) >= 1.0;
+  for (const DeformationPoint& point : before) counted += map.covers(point.position.head<2>());
   EXPECT_NEAR(depth.all, std::sqrt((0.09 + 0.16) / counted), 1e-12);
 }

@@ -64,14 +64,34 @@ TEST(FacialRegions, TheLipsAreApartWhereTheyMeet) {
 
 TEST(FacialRegions, FadesOutsideTheFaceAndBehindIt) {
   const FacialRegions regions = regionMap();
-  EXPECT_EQ(regions.outlineWeight({0.0, -3.6}), 1.0);
-  EXPECT_EQ(regions.outlineWeight({-2.2, 0.0}), 1.0);
+  EXPECT_EQ(regions.outlineWeight({0.0, -3.5}), 1.0);
+  EXPECT_EQ(regions.outlineWeight({-2.05, 0.0}), 1.0);
+  EXPECT_GT(regions.outlineWeight({0.0, -3.85}), 0.9) << "the outline itself";
   EXPECT_EQ(regions.outlineWeight({0.0, -6.0}), 0.0);
   EXPECT_EQ(regions.outlineWeight({0.0, 4.0}), 0.0);
   EXPECT_EQ(regions.depthWeight(0.5), 1.0);
   EXPECT_EQ(regions.depthWeight(-1.4), 1.0);
   EXPECT_NEAR(regions.depthWeight(-1.7), 0.5, 1e-12);
   EXPECT_EQ(regions.depthWeight(-2.0), 0.0) << "the ears";
+}
+
+TEST(FacialRegions, BeyondTheOutlinePointsFollowIt) {
+  const FacialRegions regions = regionMap();
+  for (const double angle : {0.1, 0.8, 1.6, 2.9, 4.0, 4.7, 5.5}) {
+    const Eigen::Vector2d centre(0.0, -1.05), direction(std::cos(angle), std::sin(angle));
+    double before = 0.0;
+    for (double distance = 0.0; distance < 8.0; distance += 0.01) {
+      const Eigen::Vector2d point = centre + distance * direction, followed = regions.followed(point);
+      const double kept = (followed - centre).norm();
+      EXPECT_LE(kept, distance + 1e-12);
+      EXPECT_NEAR(kept, direction.dot(followed - centre), 1e-12) << "in the same direction";
+      EXPECT_TRUE(regions.covers(centre + (1.0 - 1e-9) * (followed - centre)));
+      EXPECT_GE(kept, before - 1e-9) << "never back";
+      EXPECT_LE(kept - before, 0.01 + 1e-9) << "nowhere faster than the point";
+      if (regions.covers(centre + (point - centre) / 0.9)) EXPECT_EQ(followed, point);
+      before = kept;
+    }
+  }
 }
 
 TEST(FacialRegions, MirroredTwiceIsTheTable) {
@@ -96,6 +116,11 @@ TEST(FacialRegions, RefusesAMapThatIsNone) {
   EXPECT_NE(fault("\"region\": 2,", "\"region\": 17,").find("1 to 16"), std::string::npos);
   EXPECT_NE(fault("\"mirror\": 2", "\"mirror\": 3").find("mirror"), std::string::npos);
   EXPECT_NE(fault("\"blend\": 0.5", "\"blend\": -1").find("blend"), std::string::npos);
+  EXPECT_NE(fault("\"begin\": 0.9", "\"begin\": -1").find("begin"), std::string::npos);
+  EXPECT_NE(fault("\"radius\": 2.8", "\"radius\": 0").find("radius"), std::string::npos);
+  EXPECT_EQ(fault("\"below\": {\"radius\": 2.8, \"exponent\": 2.0}, \"begin\": 0.9, ", ""), "")
+      << "both may be left out";
+  EXPECT_EQ(regions.parse(good), "");
   EXPECT_NE(regions.parse("{").find("region map"), std::string::npos);
   EXPECT_EQ(regions.nearest({0.0, -3.4}), 16) << "a refused map must leave what was there";
 }

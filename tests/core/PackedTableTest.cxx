@@ -41,7 +41,7 @@ TEST(PackedTable, ErrorsStayBelowTheirBound) {
       EXPECT_LE(error, bound + 1e-12) << expression;
       EXPECT_GT(error, 0.05 * bound) << "else the bound says nothing";
       // Pupil units; half the distance of the pupils is about 31 mm: 0.001 mm at 16 bits, 0.12 mm at 8.
-      EXPECT_LT(error, bits == 8 ? 0.004 : 0.00002) << expression;
+      EXPECT_LT(error, bits == 8 ? 0.005 : 0.00002) << expression;
     }
 }
 

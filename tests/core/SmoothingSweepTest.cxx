@@ -9,6 +9,8 @@
 
 #include "RandomCurves.h"
 #include "SmoothingSweep.h"
+#include "SurfaceJet.h"
+#include "TurnedArea.h"
 
 using namespace mien;
 
@@ -142,4 +144,21 @@ TEST(SmoothingSweep, FaultsSayWhatIsAllowed) {
   EXPECT_NE(fault([](auto& o) { o.surface.modes = 99; }).find("0 .. 20"), std::string::npos);
   EXPECT_NE(fault([](auto& o) { o.rows = 5; }).find("5x24"), std::string::npos);
   EXPECT_NE(fault([](auto& o) { o.reference = -1.0; }).find("0 < a"), std::string::npos);
+}
+
+TEST(TurnedArea, IsTheShareOfTheFrontWhereNormalsOppose) {
+  // A cylinder along y and its mirror image at the same (u, v): normals oppose where |v| < 45 degrees, and the front,
+  // z > 50 mm, is where |v| < 60 degrees.
+  const auto cylinder = [](double side) {
+    return [side](int patch, double u, double v) {
+      SurfaceJet jet;
+      jet.s = {side * 100.0 * std::sin(v), -20.0 * (patch + u), 100.0 * std::cos(v)};
+      jet.su = {0.0, -20.0, 0.0};
+      jet.sv = {side * 100.0 * std::cos(v), 0.0, -100.0 * std::sin(v)};
+      return jet;
+    };
+  };
+  const FaceSample plain(cylinder(1.0), 29, 722), mirrored(cylinder(-1.0), 29, 722);
+  EXPECT_EQ(turnedAreaShare(plain, plain), 0.0);
+  EXPECT_NEAR(turnedAreaShare(mirrored, plain), 0.75, 0.005);
 }

@@ -42,9 +42,9 @@ TEST(PDEParameterSweep, GivesTheDocumentedTable) {
   vtkTable* table = sweep.filter->GetOutput();
   EXPECT_EQ(table->GetNumberOfRows(), 18);
   const std::vector<std::string> columns = {
-      "scheme",   "a",          "area_mm2",     "rms_departure_mm",      "max_departure_mm", "curve_miss_rms_mm",
-      "lebesgue", "g1_max_deg", "folded_cells", "folded_cells_on_seams", "willmore_energy",  "box_ratio",
-      "reason"};
+      "scheme",    "a",          "area_mm2",     "rms_departure_mm",      "max_departure_mm",  "curve_miss_rms_mm",
+      "lebesgue",  "g1_max_deg", "folded_cells", "folded_cells_on_seams", "turned_area_share", "willmore_energy",
+      "box_ratio", "reason"};
   ASSERT_EQ(table->GetNumberOfColumns(), static_cast<vtkIdType>(columns.size()));
   for (size_t i = 0; i < columns.size(); ++i) EXPECT_EQ(table->GetColumnName(i), columns[i]);
   EXPECT_EQ(table->GetValueByName(0, "scheme").ToString(), "four-curve");
@@ -69,6 +69,20 @@ TEST(PDEParameterSweep, SaysWhereSchemesBreakDown) {
   sweep.filter->Update();
   EXPECT_TRUE(std::isnan(breakdown("spline")));
   EXPECT_EQ(sweep.filter->GetBreakdownReason("spline"), "");
+}
+
+TEST(PDEParameterSweep, BreakdownsDependOnNoGridAndNoList) {
+  Sweep coarse, fine;
+  coarse.filter->SetResolution(56, 40);
+  coarse.filter->SetSmoothingRange("0.1:10:5log");
+  fine.filter->SetResolution(112, 80);
+  fine.filter->SetSmoothingRange("0.2:10:14log");
+  for (Sweep* const sweep : {&coarse, &fine}) {
+    sweep->filter->AddAllSchemes();
+    sweep->filter->Update();
+  }
+  for (const char* const scheme : {"four-curve", "tangent", "curvature", "spline"})
+    EXPECT_NEAR(coarse.filter->GetBreakdown(scheme) / fine.filter->GetBreakdown(scheme), 1.0, 0.02) << scheme;
 }
 
 TEST(PDEParameterSweep, MeasuresDistancesWhenThereIsAReference) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -79,6 +80,34 @@ TEST(SurfaceDistanceFilter, ShiftedPlanesAreExactlyApart) {
   EXPECT_NEAR(planes.filter->GetMaximumDistance(1), std::sqrt(200.0 + 6.25), 1e-12);
   planes.distances(1)->GetRange(range);
   EXPECT_LT(range[1], 0.0);
+}
+
+TEST(SurfaceDistanceFilter, VectorsLeadToTheNearestPoint) {
+  Comparison planes(plane(10.0, 3.5, 7), plane(20.0, 1.0, 5));
+  planes.filter->Update();
+  const auto vectors = [&](int port) {
+    return vtkPolyData::SafeDownCast(planes.filter->GetOutputDataObject(port))
+        ->GetPointData()
+        ->GetArray("DistanceVector");
+  };
+  EXPECT_EQ(vectors(0), nullptr);  // unless they are asked for
+  planes.filter->GenerateVectorsOn();
+  planes.filter->Update();
+  EXPECT_EQ(planes.errors.count(), 0);
+  for (int port : {0, 1}) {
+    auto* surface = vtkPolyData::SafeDownCast(planes.filter->GetOutputDataObject(port));
+    ASSERT_NE(vectors(port), nullptr);
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+      double p[3];
+      surface->GetPoint(i, p);
+      const double* v = vectors(port)->GetTuple3(i);
+      const double edge = port == 0 ? 20.0 : 10.0;  // of the other plane
+      EXPECT_NEAR(v[0], std::clamp(p[0], -edge, edge) - p[0], 1e-12);
+      EXPECT_NEAR(v[1], std::clamp(p[1], -edge, edge) - p[1], 1e-12);
+      EXPECT_NEAR(v[2], port == 0 ? -2.5 : 2.5, 1e-12);
+      EXPECT_NEAR(std::hypot(v[0], v[1], v[2]), planes.distances(port)->GetTuple1(i), 1e-12);
+    }
+  }
 }
 
 TEST(SurfaceDistanceFilter, ConcentricSpheresAreTheDifferenceOfTheirRadiiApart) {

@@ -23,5 +23,5 @@ TEST(TextFileReader, RefusesWhatIsTooLargeOrNoFile) {
   EXPECT_EQ(mien::readTextFile(file, 999, text, "table"), " it is too large for a table: more than 999 bytes");
   EXPECT_EQ(mien::readTextFile(folder.file("none"), 999, text, "table").rfind(" it cannot be opened; give a table", 0),
             0u);
-  EXPECT_EQ(mien::readTextFile(folder.file("."), 999, text).rfind(" it cannot be opened", 0), 0u);
+  EXPECT_NE(mien::readTextFile(folder.file("."), 999, text).find("folder"), std::string::npos);
 }

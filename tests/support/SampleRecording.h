@@ -20,7 +20,7 @@ class SampleRecording {
     for (double y = -4.0; y < 2.0; y += 0.2)
       for (double x = -2.4; x <= 2.4; x += 0.2) {
         const Eigen::Vector2d point(x + 0.03 * std::sin(40.0 * y), y);
-        if (regions.outlineWeight(point) < 1.0) continue;
+        if (!regions.covers(point)) continue;
         const int region = regions.nearest(point);
         add("m" + std::to_string(rows_.size()), point, table.maps[region - 1].apply(point), region);
       }

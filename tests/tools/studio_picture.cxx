@@ -1,14 +1,17 @@
 // Draws Mien Studio's window into a PNG file, for the documentation and for looking at it:
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
 // Settings: dark, side, fortyfive, mesh=2, color=Patches, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200,
-// a=2, file=X.fap, frame=100, range=50:120, dock=plotDock, press=fapAll, scan=X.ply, scale=0.75, wait=2000, measure,
-// menu=editMenu, act (what follows is a step of undo).
+// a=2, file=X.fap, frame=100, range=50:120, dock=plotDock, compare=X.ply, press=fapAll, scan=X.ply, scale=0.75,
+// menu=editMenu, wait=2000, measure, start, act (what follows is a step of undo).
+
+#include <unistd.h>
 
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QImage>
 #include <QMenu>
 #include <QMenuBar>
@@ -18,15 +21,20 @@
 #include <QTabBar>
 #include <QTableWidget>
 #include <QTextStream>
+#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
+#include <ctime>
+#include <functional>
 #include <vector>
 
 #include "AnimationPlayer.h"
+#include "Comparison.h"
 #include "FaceModel.h"
 #include "ScanPanel.h"
 #include "StudioWindow.h"
 #include "Theme.h"
+#include "ViewArea.h"
 
 namespace {
 
@@ -41,20 +49,59 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-/// Drags a slider and says how long the pipeline, and the pipeline with both views, take for each step.
-void measure(mien::StudioWindow& window) {
+/// How long the pipeline, and the pipeline with all views, take for each of 200 steps.
+void measureSteps(mien::StudioWindow& window, const char* what, const std::function<void(int)>& take) {
   std::vector<double> pipeline, whole;
   for (int step = 1; step <= 200; ++step) {
     QElapsedTimer clock;
     clock.start();
-    window.model().change([&](mien::FaceState& state) { state.fapValues[33] = step; });
+    take(step);
     for (int i = 0; i < 3; ++i) QApplication::processEvents();
     whole.push_back(clock.nsecsElapsed() * 1e-6);
     pipeline.push_back(window.model().pipelineTime());
   }
-  QTextStream(stdout) << "a step of a slider: pipeline " << median(pipeline) << " ms, with both views " << median(whole)
-                      << " ms (medians)\n";
+  QTextStream(stdout) << what << ": pipeline " << median(pipeline) << " ms, with all views " << median(whole)
+                      << " ms (medians of 200)\n";
 }
+
+/// Drags a slider, then scrubs through the demonstration.
+void measure(mien::StudioWindow& window) {
+  mien::FaceModel& model = window.model();
+  measureSteps(window, "a step of a slider",
+               [&](int step) { model.change([&](mien::FaceState& state) { state.fapValues[33] = step; }); });
+  window.playDemonstration();
+  window.player().pause();
+  measureSteps(window, "a frame scrubbed to",
+               [&](int step) { model.showFrame(17 * step % std::max(1, model.frameCount())); });
+}
+
+/// From the start of the process, with all its threads, to the first picture of the face.
+class StartClock : public QObject {
+ public:
+  explicit StartClock(QWidget* view) : QObject(view) { view->installEventFilter(this); }
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Paint && !told_) QTimer::singleShot(0, this, [this] { tell(); });
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  void tell() {
+    if (told_) return;
+    told_ = true;
+    timespec processor{}, now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &processor);
+    clock_gettime(CLOCK_BOOTTIME, &now);
+    QFile stat("/proc/self/stat");
+    stat.open(QIODevice::ReadOnly);
+    const QString fields = QString::fromLatin1(stat.readAll());
+    const double started = fields.section(") ", 1).section(' ', 19, 19).toDouble() / sysconf(_SC_CLK_TCK);
+    QTextStream(stdout) << "first picture after " << now.tv_sec + 1e-9 * now.tv_nsec - started << " s, with "
+                        << processor.tv_sec + 1e-9 * processor.tv_nsec << " s of processor time\n";
+  }
+  bool told_ = false;
+};
 
 /// Six bits a channel, which nobody sees and which make the file a third smaller.
 QImage coarse(QImage picture) {
@@ -126,6 +173,15 @@ QImage pictureOf(mien::StudioWindow& window) {
   return picture.toImage().convertToFormat(QImage::Format_RGB888);
 }
 
+/// The entry of a list, or a mesh file.
+void compare(QWidget& window, const QString& with) {
+  auto* area = window.findChild<mien::ViewArea*>("viewArea");
+  auto* choice = window.findChild<QComboBox*>("compareWith");
+  const int index = choice->findText(with);
+  index < 0 ? void(area->comparison()->openMesh(with)) : emit choice->activated(index);
+  wait(1500);
+}
+
 void apply(mien::StudioWindow& window, const QString& setting) {
   const QString key = setting.section('=', 0, 0), value = setting.section('=', 1);
   mien::FaceModel& model = window.model();
@@ -149,6 +205,7 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "scan") openScan(window, value);
   if (key == "row") chooseRow(window, value.toInt());
   if (key == "cell") clickCell(window, value);
+  if (key == "compare") compare(window, value);
   if (key == "choose")
     window.findChild<QComboBox*>(value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
   if (key == "menu") openMenu(window, value);
@@ -173,6 +230,7 @@ int main(int argc, char** argv) {
   mien::Theme::apply(mien::Theme::Kind::Light, application);
   mien::StudioWindow window;
   window.resize(arguments[2].section('x', 0, 0).toInt(), arguments[2].section('x', 1).toInt());
+  if (arguments.contains("start")) new StartClock(window.findChild<QWidget*>("faceView"));
   window.show();
   wait(500);
   double share = 1.0;

@@ -32,7 +32,7 @@ TEST_F(FigureFile, SVGHasVectorsAndTextOnly) {
   EXPECT_NE(svg.find("<polyline"), std::string::npos);
   EXPECT_NE(svg.find("width=\"170mm\""), std::string::npos);
   EXPECT_NE(svg.find("mien sweep --scheme all"), std::string::npos);
-  for (const char* const text : {"(a) Lebesgue constant", "RMS length of the contribution", "four-curve",
+  for (const char* const text : {"(a)", "Lebesgue constant", "RMS length of the contribution", "four-curve",
                                  "breaks down here", "Smoothing parameter a", "remainder", "N = 5"})
     EXPECT_NE(svg.find(text), std::string::npos) << text;
 }

@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "FaceColoring.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -50,8 +51,9 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
     follow();
   });
   for (QDoubleSpinBox* box : {begin_, end_})
-    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-            [this] { coloring_->setRange(begin_->value(), end_->value()); });
+    connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, [this] {
+      if (!coloring_->isAutomatic()) coloring_->setRange(begin_->value(), end_->value());
+    });
   connect(coloring_, &FaceColoring::choicesChanged, this, &ColoringBar::list);
   connect(coloring_, &FaceColoring::changed, this, &ColoringBar::follow);
   list();
@@ -104,7 +106,10 @@ void ColoringBar::follow() {
   automatic_->setChecked(coloring_->isAutomatic());
   for (QWidget* widget : std::initializer_list<QWidget*>{automatic_, begin_, end_})
     widget->setVisible(coloring_->isNumbers());
-  for (QWidget* widget : {begin_, end_}) widget->setEnabled(!coloring_->isAutomatic());
+  for (QWidget* widget : {begin_, end_}) {
+    widget->setEnabled(!coloring_->isAutomatic());
+    widget->setProperty(notInSession, coloring_->isAutomatic());  // as it follows the face
+  }
   begin_->setValue(coloring_->begin());
   end_->setValue(coloring_->end());
 }

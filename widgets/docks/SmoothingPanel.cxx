@@ -277,7 +277,7 @@ void SmoothingPanel::startThumbnails() {
 Figure SmoothingPanel::sweepFigureOfAll() const {
   if (records_.empty()) return {};
   std::map<std::string, double> breakdowns;
-  for (const SweepBreakdown& breakdown : findBreakdowns(records_, rows, columns))
+  for (const SweepBreakdown& breakdown : findBreakdowns(records_))
     if (breakdown.found) breakdowns[breakdown.scheme] = breakdown.smoothing;
   Figure figure = sweepFigure(records_, breakdowns, swept_.reference);
   figure.note = "N = " + std::to_string(swept_.surface.modes) + (swept_.surface.remainder ? ", with" : ", without") +

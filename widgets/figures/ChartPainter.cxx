@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "BreakdownFlags.h"
 #include "LineClip.h"
 #include "SeriesStyle.h"
 #include "TextLines.h"
@@ -18,6 +19,7 @@ constexpr double tickLength = 2.0;   // pt
 constexpr double gap = 2.5;          // pt, between ticks, numbers and titles
 constexpr double spread = 26.0;      // pt, at least, between the few markers that tell lines apart
 constexpr double spreadShare = 9.0;  // pt, for each series: where lines coincide their markers stand apart
+constexpr double brokenWidth = 0.5;  // of a line, from where its values mean nothing
 constexpr double barShare = 0.8;     // of the room between two categories
 
 double points(double number) {
@@ -32,6 +34,11 @@ std::vector<double> finiteValues(const Chart& chart, bool ofX) {
   for (const ChartMark& mark : chart.marks)
     if (mark.horizontal != ofX) values.push_back(mark.value);
   return values;
+}
+
+/// A logarithmic axis has no place for 0: lines break there.
+bool hasPlace(const AxisScale& scale, double value) {
+  return std::isfinite(value) && (value > 0.0 || !scale.logarithmic());
 }
 
 bool isBars(const ChartSeries& series) {
@@ -148,7 +155,8 @@ std::vector<AxisTick> ChartPainter::xTicks(double plotWidth) const {
 ChartPainter::Margins ChartPainter::margins(double cellWidth, double plotHeight) const {
   const QFont font = figureFont(numberSize), large = figureFont(headingSize);
   Margins margins;
-  margins.top = textLines(large, heading(), cellWidth).size() * lineHeight(large) + points(2.0 * gap);
+  margins.top = textLines(large, heading(), cellWidth).size() * lineHeight(large) + points(2.0 * gap) +
+                BreakdownFlags::height(chart_);
   for (const AxisTick& tick : yTicks(plotHeight))
     margins.left = std::max(margins.left, textWidth(font, QString::fromStdString(tick.text)));
   margins.left += points(tickLength + gap);
@@ -176,17 +184,20 @@ void ChartPainter::paint(QPainter& painter) const {
     isBars(chart_.series[i]) ? paintBars(painter, i) : paintLine(painter, i);
   for (size_t i = 0; i < chart_.series.size(); ++i) paintMarkers(painter, i);
   paintFrame(painter);
-  for (size_t i = 0; i < chart_.series.size(); ++i) paintBreakdown(painter, i);
+  BreakdownFlags(chart_, theme_).paint(painter, plot_, x_);
 }
 
 void ChartPainter::paintHeading(QPainter& painter) const {
-  const QFont font = figureFont(headingSize);
+  const QFont font = figureFont(headingSize), bold = figureFont(headingSize, true);
   const QStringList lines = textLines(font, heading(), cell_.width());
-  painter.setFont(font);
   painter.setPen(theme_.text);
-  double y = plot_.top() - points(2.2 * gap) - (lines.size() - 1) * lineHeight(font);
-  for (const QString& line : lines) {
-    painter.drawText(QPointF(cell_.left(), y), line);
+  double y = plot_.top() - points(2.2 * gap) - BreakdownFlags::height(chart_) - (lines.size() - 1) * lineHeight(font);
+  for (int i = 0; i < lines.size(); ++i) {
+    const QString label = i == 0 && lines[i].startsWith(label_) ? label_ : QString();
+    painter.setFont(bold);
+    painter.drawText(QPointF(cell_.left(), y), label);
+    painter.setFont(font);
+    painter.drawText(QPointF(cell_.left() + textWidth(bold, label), y), lines[i].mid(label.size()));
     y += lineHeight(font);
   }
 }
@@ -277,7 +288,7 @@ void ChartPainter::paintBars(QPainter& painter, size_t index) const {
 std::vector<QPolygonF> ChartPainter::unbrokenLines(const ChartSeries& series) const {
   std::vector<QPolygonF> lines(1);
   for (size_t i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
-    if (std::isfinite(series.x[i]) && std::isfinite(series.y[i]))
+    if (hasPlace(x_, series.x[i]) && hasPlace(y_, series.y[i]))
       lines.back() << position(series.x[i], series.y[i]);
     else if (!lines.back().isEmpty())
       lines.emplace_back();
@@ -286,9 +297,18 @@ std::vector<QPolygonF> ChartPainter::unbrokenLines(const ChartSeries& series) co
 }
 
 void ChartPainter::paintLine(QPainter& painter, size_t index) const {
-  painter.setPen(SeriesStyle(theme_, styleOf(chart_, index)).linePen());
-  for (const QPolygonF& line : unbrokenLines(chart_.series[index]))
-    for (const QPolygonF& part : clippedLine(line, plot_)) painter.drawPolyline(part);
+  const ChartSeries& series = chart_.series[index];
+  const SeriesStyle style(theme_, styleOf(chart_, index));
+  const QRectF sound =
+      series.breakdown ? plot_ & QRectF(plot_.topLeft(), position(*series.breakdown, y_.begin())) : plot_;
+  for (const QPolygonF& line : unbrokenLines(series)) {
+    painter.setPen(style.linePen());
+    for (const QPolygonF& part : clippedLine(line, sound)) painter.drawPolyline(part);
+    if (!series.breakdown) continue;
+    painter.setPen(style.linePen(brokenWidth));
+    for (const QPolygonF& part : clippedLine(line, QRectF(sound.topRight(), plot_.bottomRight()) & plot_))
+      painter.drawPolyline(part);
+  }
 }
 
 /// Lines of different series have their markers at different places, so that they stay visible where lines coincide.
@@ -305,19 +325,6 @@ void ChartPainter::paintMarkers(QPainter& painter, size_t index) const {
       style.drawMarker(painter, point);
       while (next <= point.x()) next += distance;
     }
-}
-
-void ChartPainter::paintBreakdown(QPainter& painter, size_t index) const {
-  const ChartSeries& series = chart_.series[index];
-  if (!series.breakdown) return;
-  const ChartSeries* const values = &series;
-  for (size_t i = 0; i < std::min(values->x.size(), values->y.size()); ++i) {
-    if (values->x[i] < *series.breakdown) continue;
-    QPointF at = position(*series.breakdown, std::isfinite(values->y[i]) ? values->y[i] : y_.end());
-    at.setY(std::min(std::max(at.y(), plot_.top()), plot_.bottom()));
-    SeriesStyle(theme_, styleOf(chart_, index)).drawBreakdown(painter, at);
-    return;
-  }
 }
 
 }  // namespace mien

@@ -60,7 +60,6 @@ class ChartPainter {
   void paintBars(QPainter& painter, size_t series) const;
   void paintLine(QPainter& painter, size_t series) const;
   void paintMarkers(QPainter& painter, size_t series) const;
-  void paintBreakdown(QPainter& painter, size_t series) const;
   std::vector<QPolygonF> unbrokenLines(const ChartSeries& series) const;
 
   Chart chart_;

@@ -15,6 +15,8 @@ struct DetailPoint {
 /// Bytes against error, each on a logarithmic axis; a level without a distance, such as the scan itself, is left out.
 ///
 /// @param curveBytes  of all points of the curves, where the figure has a mark
-Figure detailFigure(const std::vector<DetailPoint>& points, double curveBytes);
+/// @param reference  what distances are measured to, in words
+Figure detailFigure(const std::vector<DetailPoint>& points, double curveBytes,
+                    const std::string& reference = "the scan");
 
 }  // namespace mien

@@ -90,6 +90,7 @@ class FixedHashSeed {
 
 void draw(QPaintDevice& device, double scale, const std::function<void(QPainter&)>& content) {
   QPainter painter(&device);
+  painter.setRenderHint(QPainter::LosslessImageRendering);
   painter.scale(scale, scale);
   content(painter);
 }

@@ -32,7 +32,9 @@ FigurePainter::FigurePainter(const Figure& figure, const FigureTheme& theme, dou
       legend_(figure, theme, inner_),
       words_(figure.title, figure.caption, figure.note, width) {
   for (size_t i = 0; i < figure.panels.size(); ++i)
-    panels_.emplace_back(figure.panels[i], theme, panelLabel(i, figure.panels.size()));
+    panels_.emplace_back(
+        figure.panels[i], theme,
+        figure.labelled ? panelLabel(figure.firstLabel + i, figure.firstLabel + figure.panels.size()) : QString());
   layOut(units(height));
 }
 

@@ -12,7 +12,7 @@ namespace mien {
 namespace {
 
 constexpr double textSize = 7.0;      // pt
-constexpr double symbolWidth = 20.0;  // pt: long enough to show a whole pattern of dashes
+constexpr double symbolWidth = 27.0;  // pt: long enough to show a pattern of dashes on both sides of the marker
 constexpr double symbolGap = 4.0;     // pt
 constexpr double entryGap = 12.0;     // pt
 
@@ -104,7 +104,10 @@ void LegendPainter::paintSymbol(QPainter& painter, const Entry& entry, const QPo
       painter.drawLine(left, right);
       break;
     case Entry::Kind::Breakdown:
-      style.drawBreakdown(painter, middle, theme_.axis);
+      painter.setPen(QPen(theme_.axis, points(0.5)));
+      painter.drawLine(middle, middle + QPointF(0.0, points(4.0)));
+      painter.setBrush(theme_.axis);
+      painter.drawEllipse(middle, points(1.6), points(1.6));
       break;
   }
 }

@@ -9,9 +9,10 @@ namespace mien {
 
 namespace {
 
-constexpr double tick = 0.7, numbersRoom = 5.5, unitPlace = 5.4, unitRoom = 7.0;  // mm
-constexpr double numberSize = 6.0;                                                // pt
-constexpr double rounding = 1e-9;                                                 // of a step
+constexpr double tick = 0.7, numbersRoom = 5.5, titlePlace = 5.4, unitRoom = 7.0, titleRoom = 3.0;  // mm
+constexpr double paddingShare = 0.04;  // of the content, on every side
+constexpr double numberSize = 6.0;     // pt
+constexpr double rounding = 1e-9;      // of a step
 
 PlaneStroke axisStroke() {
   PlaneStroke stroke;
@@ -38,7 +39,9 @@ PlaneDrawing::Label label(const QPointF& at, const QString& text, int alignment)
 
 }  // namespace
 
-QRectF addPlaneAxes(PlaneDrawing& drawing, const QRectF& range, double step, const QString& unit, double width) {
+QRectF addPlaneAxes(PlaneDrawing& drawing, const QRectF& content, double step, const QString& unit, double width) {
+  const double padX = paddingShare * content.width(), padY = paddingShare * content.height();
+  const QRectF range = content.adjusted(-padX, -padY, padX, padY);
   const double perMillimetre = range.width() / std::max(width - numbersRoom, 1.0);
   const double left = range.left(), bottom = range.top(), length = tick * perMillimetre;  // y is up
   const auto number = [&](double value) { return QString::fromStdString(tickText(value, step)); };
@@ -52,9 +55,11 @@ QRectF addPlaneAxes(PlaneDrawing& drawing, const QRectF& range, double step, con
     drawing.lines.push_back({segment({left, y}, {left - length, y}), axisStroke()});
     drawing.labels.push_back(label({left - length, y}, number(y), Qt::AlignRight | Qt::AlignVCenter));
   }
-  drawing.labels.push_back(
-      label({range.center().x(), bottom - unitPlace * perMillimetre}, "x, y (" + unit + ")", Qt::AlignCenter));
-  return range.adjusted(-numbersRoom * perMillimetre, -unitRoom * perMillimetre, 0.0, 0.0);
+  const QPointF below(range.center().x(), bottom - titlePlace * perMillimetre);
+  const QPointF above(left - numbersRoom * perMillimetre, range.bottom() + 0.5 * titleRoom * perMillimetre);
+  drawing.labels.push_back(label(below, "x (" + unit + ")", Qt::AlignCenter));
+  drawing.labels.push_back(label(above, "y (" + unit + ")", Qt::AlignLeft | Qt::AlignVCenter));
+  return range.adjusted(-numbersRoom * perMillimetre, -unitRoom * perMillimetre, 0.0, titleRoom * perMillimetre);
 }
 
 }  // namespace mien

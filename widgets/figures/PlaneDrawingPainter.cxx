@@ -12,7 +12,7 @@ namespace mien {
 namespace {
 
 constexpr double marginShare = 0.04;  // of the shown part, on every side: strokes and labels at the edge
-constexpr double arrowLength = 4.0, arrowHalfWidth = 1.4;  // pt
+constexpr double arrowLength = 5.0, arrowHalfWidth = 1.9;  // pt
 constexpr double headShare = 0.5;                          // of a short arrow
 constexpr double labelGap = 1.5;                           // pt, between a point and its label
 constexpr double haloWidth = 1.6;                          // pt, around a label
@@ -37,6 +37,15 @@ QPolygonF arrowHead(const QPointF& tail, const QPointF& tip) {
   const QPointF along = (tip - tail) / length, across(-along.y(), along.x()), base = tip - head * along;
   const QPointF side = arrowHalfWidth / arrowLength * head * across;
   return QPolygonF({tip, base + side, base - side});
+}
+
+/// The last point of a line that is a head's length before its tip, so that many short pieces have a whole head.
+QPointF tailBefore(const QPolygonF& points) {
+  const QPointF tip = points.last();
+  for (int i = points.size() - 2; i > 0; --i)
+    if (std::hypot(tip.x() - points[i].x(), tip.y() - points[i].y()) >= figureUnitsFromPoints(2.0 * arrowLength))
+      return points[i];
+  return points.first();
 }
 
 /// The text's outline under the text, which stays text in the file. A page without a colour of its own is white.
@@ -75,7 +84,7 @@ void PlaneDrawingPainter::paintLine(QPainter& painter, const FigureTheme& theme,
   if (!line.arrow || points.size() < 2) return;
   painter.setPen(Qt::NoPen);
   painter.setBrush(line.stroke.color.isValid() ? theme.own(line.stroke.color) : theme.text);
-  painter.drawPolygon(arrowHead(points[points.size() - 2], points.last()));
+  painter.drawPolygon(arrowHead(tailBefore(points), points.last()));
 }
 
 void PlaneDrawingPainter::paintMark(QPainter& painter, const FigureTheme& theme, const PlaneDrawing::Mark& mark) const {
@@ -85,8 +94,8 @@ void PlaneDrawingPainter::paintMark(QPainter& painter, const FigureTheme& theme,
   painter.drawEllipse(position(mark.at), radius, radius);
 }
 
-void PlaneDrawingPainter::paintLabel(QPainter& painter, const FigureTheme& theme,
-                                     const PlaneDrawing::Label& label) const {
+void PlaneDrawingPainter::paintLabel(QPainter& painter, const FigureTheme& theme, const PlaneDrawing::Label& label,
+                                     bool halo) const {
   const QFont font = figureFont(label.size, label.bold);
   const double width = textWidth(font, label.text), gap = figureUnitsFromPoints(labelGap);
   QPointF place = position(label.at);
@@ -97,7 +106,7 @@ void PlaneDrawingPainter::paintLabel(QPainter& painter, const FigureTheme& theme
   if (alignment & Qt::AlignHCenter) place.rx() -= 0.5 * width;
   if (alignment & Qt::AlignTop) place.ry() += 0.5 * font.pixelSize() + gap;
   if (alignment & Qt::AlignBottom) place.ry() -= 0.5 * font.pixelSize() + gap;
-  if (label.halo) paintHalo(painter, theme, font, place, label.text);
+  if (halo) return paintHalo(painter, theme, font, place, label.text);
   painter.setFont(font);
   painter.setPen(label.color.isValid() ? theme.own(label.color) : theme.text);
   painter.drawText(place, label.text);
@@ -105,8 +114,10 @@ void PlaneDrawingPainter::paintLabel(QPainter& painter, const FigureTheme& theme
 
 void PlaneDrawingPainter::paint(QPainter& painter, const FigureTheme& theme) const {
   for (const PlaneDrawing::Line& line : drawing_.lines) paintLine(painter, theme, line);
+  for (const PlaneDrawing::Label& label : drawing_.labels)
+    if (label.halo) paintLabel(painter, theme, label, true);  // under the marks, which stay whole
   for (const PlaneDrawing::Mark& mark : drawing_.marks) paintMark(painter, theme, mark);
-  for (const PlaneDrawing::Label& label : drawing_.labels) paintLabel(painter, theme, label);
+  for (const PlaneDrawing::Label& label : drawing_.labels) paintLabel(painter, theme, label, false);
 }
 
 PlatePanel drawingPanel(const std::string& heading, const PlaneDrawing& drawing, const std::optional<QRectF>& shown) {

@@ -29,7 +29,7 @@ class PlaneDrawingPainter {
  private:
   void paintLine(QPainter& painter, const FigureTheme& theme, const PlaneDrawing::Line& line) const;
   void paintMark(QPainter& painter, const FigureTheme& theme, const PlaneDrawing::Mark& mark) const;
-  void paintLabel(QPainter& painter, const FigureTheme& theme, const PlaneDrawing::Label& label) const;
+  void paintLabel(QPainter& painter, const FigureTheme& theme, const PlaneDrawing::Label& label, bool halo) const;
 
   const PlaneDrawing& drawing_;
   double scale_ = 1.0;

@@ -19,6 +19,8 @@ struct PlatePanel {
 
   /// Paints into the rectangle, in figure units; the theme is the plate's.
   std::function<void(QPainter&, const QRectF&, const FigureTheme&)> paint;
+
+  std::string label = {};  ///< in place of the plate's own (a), (b) ..; empty: that
 };
 
 /// A figure of panels of any kind (drawings, pictures, charts, tables) in a grid, labelled (a), (b) ..

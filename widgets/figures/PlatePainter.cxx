@@ -44,8 +44,14 @@ size_t PlatePainter::endOfRow(size_t begin) const {
   return end;
 }
 
+QString PlatePainter::labelOf(size_t panel) const {
+  const std::string& own = plate_.panels[panel].label;
+  if (!own.empty()) return QString::fromStdString(own);
+  return labelled_ ? panelLabel(panel, plate_.panels.size()) : QString();
+}
+
 bool PlatePainter::hasHeading(size_t panel) const {
-  return !plate_.panels[panel].heading.empty() || (labelled_ && plate_.panels.size() > 1);
+  return !plate_.panels[panel].heading.empty() || !labelOf(panel).isEmpty();
 }
 
 /// @return the y below the row
@@ -75,7 +81,7 @@ void PlatePainter::layOut(double width) {
 
 void PlatePainter::paintHeading(QPainter& painter, size_t panel) const {
   const QFont bold = figureFont(headingSize, true), plain = figureFont(headingSize);
-  const QString label = labelled_ ? panelLabel(panel, plate_.panels.size()) : QString();
+  const QString label = labelOf(panel);
   QPointF place = places_[panel].topLeft() - QPointF(0.0, units(headingGap) + 0.25 * plain.pixelSize());
   painter.setPen(theme_.text);
   painter.setFont(bold);

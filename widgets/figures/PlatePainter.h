@@ -30,6 +30,7 @@ class PlatePainter {
   void layOut(double width);
   double placeRow(size_t begin, size_t end, double top, double width);
   size_t endOfRow(size_t begin) const;
+  QString labelOf(size_t panel) const;
   bool hasHeading(size_t panel) const;
   void paintHeading(QPainter& painter, size_t panel) const;
 

@@ -8,8 +8,7 @@ namespace mien {
 
 namespace {
 
-constexpr double markerRadius = 1.9;     // pt: told apart at a glance in print
-constexpr double breakdownRadius = 2.6;  // pt: larger than any marker
+constexpr double markerRadius = 1.9;  // pt: told apart at a glance in print
 
 /// In multiples of the line's width.
 QVector<qreal> dashes(int index) {
@@ -27,11 +26,6 @@ QPolygonF regularPolygon(const QPointF& center, double radius, int corners, doub
   return polygon;
 }
 
-void drawCross(QPainter& painter, const QPointF& center, double r) {
-  painter.drawLine(center + QPointF(-r, -r), center + QPointF(r, r));
-  painter.drawLine(center + QPointF(-r, r), center + QPointF(r, -r));
-}
-
 }  // namespace
 
 SeriesStyle::SeriesStyle(const FigureTheme& theme, int index)
@@ -40,8 +34,8 @@ SeriesStyle::SeriesStyle(const FigureTheme& theme, int index)
       index_(((index % count) + count) % count),
       width_(figureUnitsFromPoints(theme.lineWidth)) {}
 
-QPen SeriesStyle::linePen() const {
-  QPen pen(color_, width_, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+QPen SeriesStyle::linePen(double share) const {
+  QPen pen(color_, share * width_, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
   if (index_ > 0) pen.setDashPattern(dashes(index_));
   return pen;
 }
@@ -70,14 +64,6 @@ void SeriesStyle::drawMarker(QPainter& painter, const QPointF& center) const {
       painter.drawEllipse(center, r, r);
       break;
   }
-}
-
-void SeriesStyle::drawBreakdown(QPainter& painter, const QPointF& center, const QColor& color) const {
-  const double r = figureUnitsFromPoints(breakdownRadius);
-  painter.setPen(QPen(background_, 2.8 * width_));  // a rim keeps the cross apart from the lines it lies on
-  drawCross(painter, center, r);
-  painter.setPen(QPen(color, 1.5 * width_));
-  drawCross(painter, center, r);
 }
 
 }  // namespace mien

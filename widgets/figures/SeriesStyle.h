@@ -17,13 +17,11 @@ class SeriesStyle {
   SeriesStyle(const FigureTheme& theme, int index);
 
   const QColor& color() const { return color_; }
-  QPen linePen() const;
+
+  /// @param share  of the width of lines
+  QPen linePen(double share = 1.0) const;
 
   void drawMarker(QPainter& painter, const QPointF& center) const;
-
-  /// The cross where a series stops to mean anything.
-  void drawBreakdown(QPainter& painter, const QPointF& center) const { drawBreakdown(painter, center, color_); }
-  void drawBreakdown(QPainter& painter, const QPointF& center, const QColor& color) const;
 
  private:
   QColor color_, background_;

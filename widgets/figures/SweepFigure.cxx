@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "AxisScale.h"
 #include "SchemeStyle.h"
@@ -35,7 +36,7 @@ constexpr double halfTurn = 180.0;
 constexpr double leastShown = 1e-6;  // mm and degrees: below this values are rounding and would take most of an axis
 
 double shown(const Panel& panel, double value) {
-  return *panel.unit && value < leastShown ? 0.0 : value;
+  return *panel.unit && value < leastShown ? 0.0 : value;  // which a logarithmic axis leaves out
 }
 
 std::vector<std::string> schemesOf(const std::vector<SweepRecord>& records) {
@@ -113,6 +114,29 @@ Chart chartOf(const std::vector<SweepRecord>& records, const std::map<std::strin
   return chart;
 }
 
+bool leavesPanels(const Figure& figure) {
+  for (const Chart& chart : figure.panels)
+    for (const ChartSeries& series : chart.series)
+      for (const double value : series.y)
+        if (std::isfinite(value) && value > *chart.y.end) return true;
+  return false;
+}
+
+/// Which schemes have no surface from some a on: "The curves of four-curve end where ..".
+std::string earlyEnds(const std::vector<SweepRecord>& records) {
+  std::string schemes;
+  for (const std::string& scheme : schemesOf(records)) {
+    double first = std::numeric_limits<double>::infinity();
+    for (const SweepRecord& record : records)
+      if (record.scheme == scheme && !record.reason.empty()) first = std::min(first, record.smoothing);
+    if (std::isfinite(first))
+      schemes +=
+          (schemes.empty() ? "" : ", ") + scheme + " (at a = " + tickText(std::round(first * 10.0) / 10.0, 0.1) + ")";
+  }
+  return schemes.empty() ? ""
+                         : "Curves end early where double precision holds no surface of the scheme: " + schemes + ".";
+}
+
 }  // namespace
 
 Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns,
@@ -125,11 +149,15 @@ Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::
     if (hasValues(chart)) figure.panels.push_back(chart);
   }
   figure.title = "The smoothing parameter a";
-  figure.caption = "Measures of the surface over a; departures are from the same scheme's surface at a = " +
-                   tickText(reference, reference) + ".";
+  const std::string origin = "a = " + tickText(reference, reference);
+  figure.caption = "Measures of the surface over a. Departures are from the same scheme's surface at " + origin +
+                   ", where they vanish and their curves have a gap.";
   if (!breakdowns.empty())
     figure.caption +=
-        " From the crosses on a surface is no face any more; lines that leave a panel have passed its scale.";
+        " The markers above a plot stand where a scheme's surface ceases to be a face; beyond, its curve is thin.";
+  if (leavesPanels(figure)) figure.caption += " Curves that leave a panel exceed its scale.";
+  const std::string ends = earlyEnds(records);
+  if (!ends.empty()) figure.caption += " " + ends;
   return figure;
 }
 

@@ -9,7 +9,7 @@ namespace mien {
 
 /// Small multiples of a sweep's measures over a: a panel per measure, a line per scheme.
 ///
-/// @param breakdowns  scheme to the a from which on its surface is no face any more
+/// @param breakdowns  scheme to the a from which on its surface is no face
 /// @param reference   the a that departures are taken from
 Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns,
                    double reference);

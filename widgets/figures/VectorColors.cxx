@@ -9,7 +9,7 @@ namespace {
 
 constexpr double mostLight = 0.72;    // luminance on light paper: viridis ends at a green, not at a yellow nobody sees
 constexpr double middleShade = 0.72;  // of a diverging map on light paper: its grey at zero must be seen on white
-constexpr double leastLight = 0.20;   // on dark backgrounds
+constexpr double leastLight = 0.32;   // on dark backgrounds
 constexpr int steps = 255;
 
 double luminance(const ColorTable::Rgb& color) {

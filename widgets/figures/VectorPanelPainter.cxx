@@ -12,9 +12,9 @@ namespace mien {
 
 namespace {
 
-constexpr double headingSize = 6.5, remarkSize = 7.0;  // pt
-constexpr double outlineWidth = 0.7, seamWidth = 0.5;  // pt
-constexpr double landmarkWidth = 0.6;                  // pt
+constexpr double headingSize = 7.5, rowHeadingSize = 6.5, remarkSize = 7.0;  // pt
+constexpr double outlineWidth = 0.7, seamWidth = 0.5;                        // pt
+constexpr double landmarkWidth = 0.6;                                        // pt
 constexpr double seamShare = 0.30, landmarkShare = 0.60,
                  outlineShare = 0.75;  // of the text's colour in the background's
 constexpr double leastArrow = 0.25;    // mm: what is seen as a shorter arrow is a dot when it moves by more
@@ -23,6 +23,10 @@ constexpr double dotRadius = 0.22;     // mm
 QColor mixed(const QColor& a, const QColor& b, double share) {
   const auto part = [&](double x, double y) { return share * x + (1.0 - share) * y; };
   return QColor::fromRgbF(part(a.redF(), b.redF()), part(a.greenF(), b.greenF()), part(a.blueF(), b.blueF()));
+}
+
+QFont headingFont(const VectorStyle& style) {
+  return style.font(style.asRow ? rowHeadingSize : headingSize);
 }
 
 QPen linePen(const QColor& color, double width) {
@@ -54,7 +58,7 @@ void VectorPanelPainter::place(const QPointF& topLeft, const Eigen::AlignedBox2d
 }
 
 double VectorPanelPainter::headingHeight(const VectorStyle& style) const {
-  return heading_.isEmpty() ? 0.0 : lineHeight(style.font(headingSize)) + figureUnitsFromPoints(3.0);
+  return heading_.isEmpty() ? 0.0 : lineHeight(headingFont(style)) + figureUnitsFromPoints(3.0);
 }
 
 QRectF VectorPanelPainter::plot() const {
@@ -82,10 +86,11 @@ void VectorPanelPainter::paint(QPainter& painter, const VectorStyle& style, cons
   paintArrows(painter, style);
   if (picture_.arrows.empty()) paintRemark(painter, style);
   if (heading_.isEmpty()) return;
-  const QFont font = style.font(headingSize);
+  const QFont font = headingFont(style);
   painter.setFont(font);
   painter.setPen(theme.text);
-  painter.drawText(headingPlace + QPointF(0.0, 0.95 * font.pixelSize()), heading_);
+  const double left = style.asRow ? plot().center().x() - 0.5 * textWidth(font, heading_) : headingPlace.x();
+  painter.drawText(QPointF(left, headingPlace.y() + 0.95 * font.pixelSize()), heading_);
 }
 
 void VectorPanelPainter::paintLines(QPainter& painter, const std::vector<VectorPicture::Line>& lines) const {

@@ -12,7 +12,8 @@ VectorStyle::VectorStyle(const MotionVectorOptions& options)
     : length(options.length),
       color(options.color),
       family(QString::fromStdString(options.font)),
-      colorMap(options.colorMap) {
+      colorMap(options.colorMap),
+      asRow(options.asRow) {
   const FigureTheme* const known = FigureTheme::find(options.theme);
   if (colorMap.empty()) colorMap = color == MotionVectorOptions::Color::Towards ? "coolwarm" : "viridis";
   theme = known ? *known : FigureTheme::all().front();

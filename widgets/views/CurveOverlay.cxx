@@ -42,16 +42,16 @@ bool isRight(int curve) {
 }  // namespace
 
 CurveOverlay::CurveOverlay(FaceModel* model, RenderView* view, QObject* parent)
-    : QObject(parent), model_(model), view_(view) {
+    : QObject(parent), model_(model), view_(view), renderer_(view->renderer()) {
   addCurves();
   addNames();
   useTheme();
-  started_ = view_->renderer()->AddObserver(vtkCommand::StartEvent, this, &CurveOverlay::placeNames);
+  started_ = renderer_->AddObserver(vtkCommand::StartEvent, this, &CurveOverlay::placeNames);
   view_->installEventFilter(this);
 }
 
 CurveOverlay::~CurveOverlay() {
-  if (view_) view_->renderer()->RemoveObserver(started_);
+  renderer_->RemoveObserver(started_);
 }
 
 void CurveOverlay::addCurves() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 #include <QObject>
 #include <array>
@@ -11,6 +12,7 @@ class vtkActor2D;
 class vtkPoints;
 class vtkPolyData;
 class vtkPolyDataMapper;
+class vtkRenderer;
 class vtkTextActor;
 
 namespace mien {
@@ -53,6 +55,7 @@ class CurveOverlay : public QObject {
   vtkNew<vtkActor2D> leaders_;
   std::array<vtkNew<vtkTextActor>, count> names_;
   bool named_ = false;
+  vtkSmartPointer<vtkRenderer> renderer_;  ///< may outlive the view
   unsigned long started_ = 0;
 };
 

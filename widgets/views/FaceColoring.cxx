@@ -9,6 +9,7 @@
 
 #include "BundledFile.h"
 #include "ColorKey.h"
+#include "Comparison.h"
 #include "FaceModel.h"
 #include "FaceView.h"
 #include "RoundedUp.h"
@@ -16,6 +17,8 @@
 namespace mien {
 
 namespace {
+
+constexpr double leastDifference = 0.1;  // mm: rounding is not stretched to fill the scale
 
 QString skinChoice() {
   return FaceColoring::tr("Skin");
@@ -29,24 +32,66 @@ QString patchChoice() {
   return FaceColoring::tr("Patches");
 }
 
+const FaceArray& patches() {
+  static const FaceArray array = {"PatchId", -1, true, {}};
+  return array;
+}
+
+const FaceArray& difference() {
+  static const FaceArray array = {"Distance", -1, false, FaceColoring::tr("Difference of A and B (mm)")};
+  return array;
+}
+
 }  // namespace
 
-FaceColoring::FaceColoring(FaceModel* model, FaceView* view, QObject* parent)
-    : QObject(parent), model_(model), view_(view), key_(new ColorKey(view)) {
+FaceColoring::FaceColoring(FaceModel* model, FaceView* view, Comparison* comparison, QObject* parent)
+    : QObject(parent), model_(model), view_(view), comparison_(comparison) {
+  sides_.push_back(std::make_unique<Side>(view));
   connect(model_, &FaceModel::updated, this, &FaceColoring::follow);
   connect(model_, &FaceModel::stateChanged, this, &FaceColoring::changed);  // a photograph may have come or gone
   connect(view_, &FaceView::overlayChanged, this, &FaceColoring::followOverlay);
+  connect(comparison_, &Comparison::changed, this, &FaceColoring::followComparison);
+  connect(comparison_, &Comparison::measured, this, [this] {
+    if (kind_ != Kind::Difference) return;
+    growRange();
+    paint();
+  });
   arrays_ = FaceArray::in(surface());
 }
 
 FaceColoring::~FaceColoring() = default;
 
+FaceColoring::Side::Side(FaceView* shown) : view(shown), key(new ColorKey(shown)) {}
+
+void FaceColoring::setOther(FaceView* view) {
+  sides_.resize(1);
+  sides_.push_back(std::make_unique<Side>(view));
+  if (isNumbers() || kind_ == Kind::Patches)
+    paint();
+  else
+    view->showSurface(comparison_->mesh());
+}
+
 vtkPolyData* FaceColoring::surface() const {
   return vtkPolyData::SafeDownCast(model_->pipeline().surface()->GetOutputDataObject(0));
 }
 
+/// What B shows without colours of a difference; nullptr: nothing is compared.
+vtkPolyData* FaceColoring::other() const {
+  if (comparison_->kind() == Comparison::Kind::None) return nullptr;
+  if (comparison_->mesh()) return comparison_->mesh();
+  return vtkPolyData::SafeDownCast(comparison_->other()->pipeline().surface()->GetOutputDataObject(0));
+}
+
+/// The surfaces that colours are for, A first.
+std::vector<vtkPolyData*> FaceColoring::colored() const {
+  if (kind_ != Kind::Difference) return {surface(), other()};
+  return {comparison_->surface(Comparison::Side::A), comparison_->surface(Comparison::Side::B)};
+}
+
 QStringList FaceColoring::choices() const {
   QStringList all = {skinChoice(), photographChoice(), patchChoice()};
+  if (comparison_->kind() != Comparison::Kind::None) all << difference().title;
   for (const FaceArray& array : FaceArray::onDemand()) all << array.title;
   for (const FaceArray& array : arrays_) all << array.title;
   return all;
@@ -57,6 +102,7 @@ QString FaceColoring::chosen() const {
     case Kind::Patches:
       return patchChoice();
     case Kind::Numbers:
+    case Kind::Difference:
       return array_.title;
     case Kind::OfDock:
       return {};
@@ -74,17 +120,22 @@ void FaceColoring::choose(const QString& choice) {
     choosePhotograph(choice == photographChoice());
     view_->showOverlay(nullptr, true);
   } else if (choice == patchChoice()) {
-    kind_ = Kind::Patches;
-    produce({});
-    paint();
+    take(Kind::Patches, patches());
+  } else if (choice == difference().title) {
+    take(Kind::Difference, difference());
   } else if (array != all.end()) {
-    kind_ = Kind::Numbers;
-    array_ = *array;
-    produce(array_);
-    begin_ = end_ = 0.0;
-    growRange();
-    paint();
+    take(Kind::Numbers, *array);
   }
+}
+
+void FaceColoring::take(Kind kind, const FaceArray& array) {
+  kind_ = kind;
+  array_ = array;
+  produce(array);
+  begin_ = automatic_ ? 0.0 : begin_;
+  end_ = automatic_ ? 0.0 : end_;
+  growRange();
+  paint();
 }
 
 /// The state says whether there is one; the last one comes back, and without any the one that comes with Mien.
@@ -104,14 +155,18 @@ void FaceColoring::choosePhotograph(bool on) {
   });
 }
 
-/// Has the face filter compute what is asked for, and nothing that is not: curvatures double its time.
+/// Has the face filters compute what is asked for, and nothing that is not: curvatures double their time.
 void FaceColoring::produce(const FaceArray& array) {
-  vtkPDEFaceFilter* face = model_->pipeline().face();
-  const bool changes =
-      face->GetGenerateCurvatures() != array.isCurvature() || face->GetGenerateDerivatives() != array.isDerivative();
-  face->SetGenerateCurvatures(array.isCurvature());
-  face->SetGenerateDerivatives(array.isDerivative());
-  if (changes) model_->update();
+  std::vector<FaceModel*> faces = {model_};
+  if (sides_.size() > 1) faces.push_back(comparison_->other());
+  for (FaceModel* model : faces) {
+    vtkPDEFaceFilter* face = model->pipeline().face();
+    const bool changes =
+        face->GetGenerateCurvatures() != array.isCurvature() || face->GetGenerateDerivatives() != array.isDerivative();
+    face->SetGenerateCurvatures(array.isCurvature());
+    face->SetGenerateDerivatives(array.isDerivative());
+    if (changes) model->update();
+  }
 }
 
 void FaceColoring::follow() {
@@ -132,14 +187,32 @@ void FaceColoring::follow() {
 
 void FaceColoring::followOverlay(const QObject* overlay) {
   if (overlay == this) return;
-  const bool shown = kind_ == Kind::Patches || kind_ == Kind::Numbers;
+  const bool shown = isNumbers() || kind_ == Kind::Patches;
   kind_ = overlay ? Kind::OfDock : Kind::Skin;
-  if (shown) {
-    view_->setColors({}, nullptr);
-    key_->clear();
-    produce({});
-  }
+  if (shown) clearColors();
   emit changed();
+}
+
+void FaceColoring::clearColors() {
+  for (const auto& side : sides_) {
+    side->view->setColors({}, nullptr);
+    side->view->showSurface(side == sides_.front() ? nullptr : comparison_->mesh());
+    side->key->clear();
+  }
+  produce({});
+}
+
+/// What two faces are compared for is their difference; a choice that is left stays for the next B.
+void FaceColoring::followComparison() {
+  const bool compares = comparison_->kind() != Comparison::Kind::None, begins = compares && !compares_;
+  compares_ = compares;
+  emit choicesChanged();
+  if (begins && kind_ != Kind::Difference) return take(Kind::Difference, difference());
+  if (!compares && kind_ == Kind::Difference) return view_->showOverlay(nullptr, true);
+  if (isNumbers() || kind_ == Kind::Patches)
+    take(kind_, array_);
+  else if (sides_.size() > 1)
+    sides_[1]->view->showSurface(comparison_->mesh());
 }
 
 void FaceColoring::setAutomatic(bool automatic) {
@@ -148,7 +221,7 @@ void FaceColoring::setAutomatic(bool automatic) {
 }
 
 void FaceColoring::fit() {
-  if (kind_ != Kind::Numbers) return;
+  if (!isNumbers()) return;
   begin_ = end_ = 0.0;
   growRange();
   paint();
@@ -159,34 +232,47 @@ void FaceColoring::setRange(double begin, double end) {
   automatic_ = false;
   begin_ = begin;
   end_ = end;
-  if (kind_ == Kind::Numbers) paint();
+  if (isNumbers()) paint();
 }
 
-/// Values of both signs get a range that is symmetric about 0, others begin at 0.
+/// A scan has a neck that no face reaches: the range of a difference is that of A. Values of both signs get a range
+/// that is symmetric about 0, others begin at 0.
 void FaceColoring::growRange() {
   if (!automatic_) {
     if (!(begin_ < end_)) end_ = begin_ + 1.0;
     return;
   }
-  const auto [low, high] = array_.spread(surface());
-  if (low < 0.0 || begin_ < 0.0) {
-    end_ = std::max(end_, roundedUp(std::max(-low, high)));
-    begin_ = -end_;
-  } else {
-    end_ = std::max(end_, roundedUp(high));
+  for (vtkPolyData* shown : colored()) {
+    if (!array_.find(shown) || (kind_ == Kind::Difference && shown != colored().front())) continue;
+    const auto [low, high] = array_.spread(shown);
+    const double most = std::max(high, -low);
+    end_ = std::max(end_, roundedUp(kind_ == Kind::Difference ? std::max(most, leastDifference)
+                                    : most > 0.0              ? most
+                                                              : 1.0));
+    if (low < 0.0 || begin_ < 0.0) begin_ = -end_;
   }
 }
 
 void FaceColoring::paint() {
-  const bool patches = kind_ == Kind::Patches, mixed = begin_ < 0.0 && end_ > 0.0;
+  view_->showOverlay(this, true);
+  for (size_t side = 0; side < sides_.size(); ++side) paintSide(side);
+  emit changed();
+}
+
+/// A mesh has no patches and not every array: it keeps its skin.
+void FaceColoring::paintSide(size_t side) {
+  auto& [view, key, legend] = *sides_[side];
+  vtkPolyData* shown = colored()[side];
+  vtkPolyData* mesh = side == 0 ? nullptr : comparison_->mesh();
+  const bool isPatches = kind_ == Kind::Patches, mixed = begin_ < 0.0 && end_ > 0.0;
   const ColorLegend::Scale scale = {array_.title, begin_, end_,
                                     mixed ? ColorLegend::Colors::Diverging : ColorLegend::Colors::Sequential};
-  patches ? legend_.setPatches() : legend_.setScale(scale);
-  patches ? key_->showPatches() : key_->showScale(scale);
-  static const FaceArray patchArray = {"PatchId", -1, true, {}};
-  view_->showOverlay(this, true);
-  view_->setColors(patches ? patchArray : array_, &legend_);
-  emit changed();
+  isPatches ? legend.setPatches() : legend.setScale(scale);
+  view->showSurface(kind_ == Kind::Difference && shown ? shown : mesh, mesh != nullptr);
+  const bool has = array_.find(shown) != nullptr;
+  view->setColors(array_, has ? &legend : nullptr);
+  if (!has) return key->clear();
+  isPatches ? key->showPatches() : key->showScale(scale);
 }
 
 }  // namespace mien

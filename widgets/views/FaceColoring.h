@@ -14,10 +14,12 @@ class vtkPolyData;
 namespace mien {
 
 class ColorKey;
+class Comparison;
 class FaceModel;
 class FaceView;
 
-/// What the face is coloured by: its skin, a photograph, its patches, or numbers of the surface.
+/// What the face, and the one that it is compared with, is coloured by: its skin, a photograph, its patches, numbers of
+/// the surface, or how far the two lie apart. Both sides have one scale.
 ///
 /// Numbers keep the meaning of their colours: an automatic range grows when 4 % of the surface would lie beyond it, and
 /// never shrinks while the same array is chosen; a fixed one stays. When a dock shows numbers of its own on the face,
@@ -25,16 +27,18 @@ class FaceView;
 class FaceColoring : public QObject {
   Q_OBJECT
  public:
-  FaceColoring(FaceModel* model, FaceView* view, QObject* parent);
+  FaceColoring(FaceModel* model, FaceView* view, Comparison* comparison, QObject* parent);
   ~FaceColoring() override;
 
   QStringList choices() const;  ///< in words: "Skin", "Photograph", "Patches", then arrays with their unit
   void choose(const QString& choice);
   QString chosen() const;  ///< empty while a dock shows numbers
 
-  ColorKey* key() const { return key_; }  ///< to be put below the view
+  void setOther(FaceView* view);  ///< in which B is shown
 
-  bool isNumbers() const { return kind_ == Kind::Numbers; }
+  ColorKey* key() const { return sides_.back()->key; }  ///< of the last view, to be put below it
+
+  bool isNumbers() const { return kind_ == Kind::Numbers || kind_ == Kind::Difference; }
   void setAutomatic(bool automatic);
   void fit();  ///< chooses an automatic range for the present face
   bool isAutomatic() const { return automatic_; }
@@ -47,25 +51,37 @@ class FaceColoring : public QObject {
   void changed();  ///< another choice, or another range
 
  private:
-  enum class Kind { Skin, Patches, Numbers, OfDock };
+  enum class Kind { Skin, Patches, Numbers, Difference, OfDock };
+  struct Side {
+    explicit Side(FaceView* shown);
+    FaceView* view;
+    ColorKey* key;
+    ColorLegend legend;
+  };
 
   vtkPolyData* surface() const;
+  vtkPolyData* other() const;
+  std::vector<vtkPolyData*> colored() const;
+  void take(Kind kind, const FaceArray& array);
   void choosePhotograph(bool on);
   void produce(const FaceArray& array);
   void follow();
   void followOverlay(const QObject* overlay);
+  void followComparison();
   void growRange();
   void paint();
+  void paintSide(size_t side);
+  void clearColors();
 
   FaceModel* model_;
   FaceView* view_;
-  ColorKey* key_;
-  ColorLegend legend_;
+  Comparison* comparison_;
+  std::vector<std::unique_ptr<Side>> sides_;  ///< A, and B once there was one
   std::vector<FaceArray> arrays_;
   Kind kind_ = Kind::Skin;
   FaceArray array_;
   std::string photograph_, photographMesh_;  ///< the last one
-  bool automatic_ = true;
+  bool automatic_ = true, compares_ = false;
   double begin_ = 0.0, end_ = 1.0;
 };
 

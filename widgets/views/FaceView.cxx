@@ -102,8 +102,26 @@ void FaceView::dressLines(vtkProperty* side) const {
 
 void FaceView::setMesh(Mesh mesh) {
   mesh_ = mesh;
-  mouth_.setVisible(mesh_ == Mesh::Shaded || mesh_ == Mesh::Both);
+  showMouth();
   dress();
+  redraw();
+}
+
+/// A mesh of a file has a mouth of its own.
+void FaceView::showMouth() {
+  mouth_.setVisible(!foreign_ && (mesh_ == Mesh::Shaded || mesh_ == Mesh::Both));
+}
+
+void FaceView::showSurface(vtkPolyData* surface, bool isOutwards) {
+  foreign_ = surface && isOutwards;
+  if (foreign_) {
+    mapper_->SetInputData(surface);
+  } else {
+    surface ? outwards_->SetInputData(surface)
+            : outwards_->SetInputConnection(model().pipeline().surface()->GetOutputPort());
+    mapper_->SetInputConnection(outwards_->GetOutputPort());
+  }
+  showMouth();
   redraw();
 }
 

@@ -5,6 +5,7 @@
 
 class vtkActor;
 class vtkImageData;
+class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkProperty;
 class vtkReverseSense;
@@ -37,6 +38,10 @@ class FaceView : public RenderView {
   void setTexture(vtkImageData* image);
   bool isTextured() const { return textured_; }
 
+  /// Shows a surface in place of the pipeline's; nullptr: the pipeline's.
+  /// @param isOutwards  whether its cells are wound outwards, as those of a mesh from a file; the pipeline's are not
+  void showSurface(vtkPolyData* surface, bool isOutwards = true);
+
   /// Colours the surface by an array of it, whatever its mesh looks like; nullptr: the skin again.
   /// @param legend  must live while it is shown
   void setColors(const FaceArray& array, const ColorLegend* legend);
@@ -50,6 +55,7 @@ class FaceView : public RenderView {
   void addSurface();
   void dress();
   void dressSkin();
+  void showMouth();
   void dressLines(vtkProperty* side) const;
 
   vtkNew<vtkReverseSense> outwards_;
@@ -59,7 +65,7 @@ class FaceView : public RenderView {
   vtkNew<vtkTexture> texture_;
   MouthActor mouth_{renderer()};
   Mesh mesh_ = Mesh::Shaded;
-  bool textured_ = false, colored_ = false;
+  bool textured_ = false, colored_ = false, foreign_ = false;
 };
 
 }  // namespace mien

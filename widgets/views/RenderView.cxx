@@ -152,7 +152,12 @@ void RenderView::observeMouse() {
 
 void RenderView::userMoved() {
   moved_ = true;
-  if (partner_) partner_->takeCamera(this);
+  passCamera();
+}
+
+void RenderView::passCamera(const RenderView* except) {
+  for (const QPointer<RenderView>& partner : partners_)
+    if (partner && partner != except) partner->takeCamera(this);
 }
 
 /// A camera that the user has placed stays.
@@ -170,7 +175,7 @@ void RenderView::look(Side side) {
 void RenderView::fit() {
   moved_ = false;
   placeCamera();
-  if (partner_) partner_->takeCamera(this);
+  passCamera();
   redraw();
 }
 
@@ -220,17 +225,24 @@ void RenderView::takeCamera(const RenderView* other) {
   camera()->SetPosition(position);
   camera()->SetViewUp(other->camera()->GetViewUp());
   redraw();
+  passCamera(other);
 }
 
 void RenderView::link(RenderView* other) {
-  partner_ = other;
-  other->partner_ = this;
+  if (std::find(partners_.begin(), partners_.end(), other) != partners_.end()) return;
   takeCamera(other);
+  partners_.emplace_back(other);
+  other->partners_.emplace_back(this);
 }
 
 void RenderView::unlink() {
-  if (partner_) partner_->partner_ = nullptr;
-  partner_ = nullptr;
+  for (const QPointer<RenderView>& partner : partners_)
+    if (partner) partner->forget(this);
+  partners_.clear();
+}
+
+void RenderView::forget(const RenderView* other) {
+  partners_.erase(std::remove(partners_.begin(), partners_.end(), other), partners_.end());
 }
 
 vtkCamera* RenderView::camera() const {

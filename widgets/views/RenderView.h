@@ -6,6 +6,7 @@
 
 #include <QPointer>
 #include <array>
+#include <vector>
 
 #include "SessionPart.h"
 
@@ -35,9 +36,10 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   void placeCamera(const std::array<double, 3>& focus, const std::array<double, 3>& direction, double distance);
   void fit();  ///< the side looked from last, the whole face in the view
 
-  void link(RenderView* other);  ///< turns and zooms together with the other view, to the size of each
-  void unlink();
-  bool isLinked() const { return partner_; }
+  /// Turns and zooms together with the other view, and with all that it is linked with, to the size of each.
+  void link(RenderView* other);
+  void unlink();  ///< from all
+  bool isLinked() const { return !partners_.empty(); }
   vtkCamera* camera() const;
 
   /// `side`, and where the user has placed the camera `position`, `focus` and `up` (mm).
@@ -63,11 +65,13 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   void followReach();
   double fittingDistance() const;  ///< from which the whole face fills this view
   void takeCamera(const RenderView* other);
+  void forget(const RenderView* other);
+  void passCamera(const RenderView* except = nullptr);
 
   FaceModel* model_;
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
-  QPointer<RenderView> partner_;
+  std::vector<QPointer<RenderView>> partners_;  ///< a tree: no view is reached in two ways
   Side side_ = Side::Front;
   bool moved_ = false, outdated_ = true;
 };

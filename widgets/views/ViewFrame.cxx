@@ -1,32 +1,39 @@
 #include "ViewFrame.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
+
+#include "ElidedLabel.h"
 
 namespace mien {
 
 namespace {
 
-constexpr int gap = 10;  // pixels between groups of buttons
+constexpr int gap = 10;         // pixels between groups of buttons
+constexpr int shortTitle = 36;  // pixels
 
 }  // namespace
 
-ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent) : QFrame(parent), header_(new QHBoxLayout) {
+ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
+    : QFrame(parent), header_(new QHBoxLayout), name_(new ElidedLabel(this)) {
   setObjectName("card");
-  auto* name = new QLabel(title, this);
-  name->setProperty("heading", true);
+  name_->setProperty("heading", true);
+  name_->setText(title);
+  name_->setMinimumWidth(shortTitle);
   header_->setContentsMargins(10, 5, 6, 5);
   header_->setSpacing(1);
-  header_->addWidget(name);
-  header_->addStretch();
+  header_->addWidget(name_, 1);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(1, 1, 1, 1);
   column->setSpacing(0);
   column->addLayout(header_);
   column->addWidget(view, 1);
+}
+
+void ViewFrame::setTitle(const QString& title) {
+  name_->setText(title);
 }
 
 QToolButton* ViewFrame::addButton(const QString& objectName, const QString& text, const QString& toolTip) {

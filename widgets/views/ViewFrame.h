@@ -7,12 +7,15 @@ class QToolButton;
 
 namespace mien {
 
+class ElidedLabel;
+
 /// A view with its title and its buttons above it.
 class ViewFrame : public QFrame {
   Q_OBJECT
  public:
   ViewFrame(const QString& title, QWidget* view, QWidget* parent = nullptr);
 
+  void setTitle(const QString& title);
   QToolButton* addButton(const QString& objectName, const QString& text, const QString& toolTip);
   QToolButton* addToggle(const QString& objectName, const QString& text, const QString& toolTip, bool on);
   void addControl(QWidget* control);  ///< in the head, after what is there
@@ -21,6 +24,7 @@ class ViewFrame : public QFrame {
 
  private:
   QHBoxLayout* header_;
+  ElidedLabel* name_;
 };
 
 }  // namespace mien

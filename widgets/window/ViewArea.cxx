@@ -4,12 +4,17 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <limits>
 
 #include "ColorKey.h"
 #include "ColorScale.h"
 #include "ColoringBar.h"
+#include "Comparison.h"
+#include "ComparisonBar.h"
 #include "CurveOverlay.h"
 #include "CurveView.h"
+#include "DifferenceArrows.h"
+#include "ElidedLabel.h"
 #include "FaceColoring.h"
 #include "FaceModel.h"
 #include "ViewFrame.h"
@@ -19,57 +24,81 @@ namespace mien {
 namespace {
 
 constexpr int faceShare = 4, curveShare = 3;
-constexpr int manyPixels = 1000;  // shares of a splitter, not pixels
+constexpr int manyPixels = 1000;       // shares of a splitter, not pixels
+constexpr int roomForThree = 1300;     // pixels
+constexpr int summaryMargin = 12;      // pixels
+constexpr double longestArrow = 20.0;  // mm to a nearest point: beyond, the other has no counterpart, as a neck
+constexpr double arrowFactors[] = {0.0, 1.0, 2.0, 5.0, 10.0};
 
 }  // namespace
 
 ViewArea::ViewArea(FaceModel* model, FaceView* face, CurveView* curves, QWidget* parent)
-    : QWidget(parent), model_(model), face_(face), curves_(curves), faceFrame_(new ViewFrame(tr("Face"), face, this)) {
+    : QWidget(parent),
+      model_(model),
+      face_(face),
+      curves_(curves),
+      comparison_(new Comparison(model, this)),
+      coloring_(new FaceColoring(model, face, comparison_, this)),
+      faceFrame_(new ViewFrame(tr("Face"), face, this)),
+      curveFrame_(new ViewFrame(tr("Curves"), curves_, this)),
+      mesh_(new QComboBox(faceFrame_)),
+      splitter_(new QSplitter(Qt::Horizontal, this)) {
+  setObjectName("viewArea");
+  overlays_.push_back(new CurveOverlay(model_, face_, this));
+  arrows_.push_back(new DifferenceArrows(face_, this));
   addMeshChoice();
   addSideButtons();
+  addCurveFrame();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(4);
   column->addWidget(displayRow());
   column->addWidget(splitter(), 1);
   linkCameras(true);
+  connect(comparison_, &Comparison::changed, this, &ViewArea::followComparison);
+  connect(comparison_, &Comparison::measured, this, &ViewArea::showDifference);
 }
 
 QWidget* ViewArea::displayRow() {
   auto* row = new QWidget(this);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(2, 0, 0, 0);
-  auto* coloring = new FaceColoring(model_, face_, this);
-  auto* bar = new ColoringBar(coloring, row);
-  faceFrame_->addBelow(coloring->key());
-  auto* overlay = new CurveOverlay(model_, face_, this);
-  connect(bar, &ColoringBar::curvesToggled, overlay, &CurveOverlay::setCurvesVisible);
-  connect(bar, &ColoringBar::namesToggled, overlay, &CurveOverlay::setNamesVisible);
+  auto* bar = new ColoringBar(coloring_, row);
+  faceFrame_->addBelow(coloring_->key());
+  connect(bar, &ColoringBar::curvesToggled, this, [this](bool on) {
+    curvesOn_ = on;
+    showCurves();
+  });
+  connect(bar, &ColoringBar::namesToggled, this, [this](bool on) {
+    namesOn_ = on;
+    showCurves();
+  });
   layout->addWidget(bar);
   layout->addStretch();
+  layout->addWidget(new ComparisonBar(comparison_, row));
   return row;
 }
 
 QWidget* ViewArea::splitter() {
-  auto* splitter = new QSplitter(Qt::Horizontal, this);
-  splitter->setObjectName("viewSplitter");
-  splitter->setChildrenCollapsible(false);
-  splitter->addWidget(faceFrame_);
-  splitter->addWidget(curveFrame());
-  splitter->setStretchFactor(0, faceShare);
-  splitter->setStretchFactor(1, curveShare);
-  splitter->setSizes({faceShare * manyPixels, curveShare * manyPixels});
-  return splitter;
+  splitter_->setObjectName("viewSplitter");
+  splitter_->setChildrenCollapsible(false);
+  splitter_->addWidget(faceFrame_);
+  splitter_->addWidget(curveFrame_);
+  splitter_->setStretchFactor(0, faceShare);
+  splitter_->setStretchFactor(1, curveShare);
+  splitter_->setSizes({faceShare * manyPixels, curveShare * manyPixels});
+  return splitter_;
 }
 
 void ViewArea::addMeshChoice() {
-  auto* mesh = new QComboBox(faceFrame_);
-  mesh->setObjectName("faceMesh");
-  mesh->addItems({tr("Shaded"), tr("Wireframe"), tr("Shaded with mesh"), tr("Points")});
-  mesh->setToolTip(tr("The surface lit, the lines of its mesh, both, or its points"));
-  connect(mesh, QOverload<int>::of(&QComboBox::currentIndexChanged), face_,
-          [this](int index) { face_->setMesh(static_cast<FaceView::Mesh>(index)); });
-  faceFrame_->addControl(mesh);
+  mesh_->setObjectName("faceMesh");
+  mesh_->addItems({tr("Shaded"), tr("Wireframe"), tr("Both"), tr("Points")});
+  mesh_->setToolTip(tr("The surface lit, the lines of its mesh, both, or its points"));
+  connect(mesh_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
+    face_->setMesh(static_cast<FaceView::Mesh>(index));
+    if (other_) other_->setMesh(face_->mesh());
+  });
+  faceFrame_->addControl(mesh_);
 }
 
 void ViewArea::addSideButtons() {
@@ -84,18 +113,113 @@ void ViewArea::addSideButtons() {
           &QToolButton::clicked, this, &ViewArea::showWhole);
 }
 
-QWidget* ViewArea::curveFrame() {
-  auto* frame = new ViewFrame(tr("Curves"), curves_, this);
-  frame->addBelow(new ColorScale(model_, this));
-  connect(frame->addToggle("curvePoints", tr("Points"), tr("The points of the curves"), true), &QToolButton::toggled,
-          curves_, &CurveView::setPointsVisible);
-  connect(frame->addToggle("curveNeutral", tr("Neutral"), tr("The curves of the neutral face, thin and pale"), true),
+void ViewArea::addCurveFrame() {
+  curveFrame_->addBelow(new ColorScale(model_, this));
+  const auto add = [&](const QString& name, const QString& text, const QString& tip) {
+    return curveFrame_->addToggle(name, text, tip, true);
+  };
+  connect(add("curvePoints", tr("Points"), tr("The points of the curves")), &QToolButton::toggled, curves_,
+          &CurveView::setPointsVisible);
+  connect(add("curveNeutral", tr("Neutral"), tr("The curves of the neutral face, thin and pale")),
           &QToolButton::toggled, curves_, &CurveView::setNeutralVisible);
-  connect(frame->addToggle("curveFrontOnly", tr("Front only"), tr("Whether the face hides the curves behind it"), true),
+  connect(add("curveFrontOnly", tr("Front only"), tr("Whether the face hides the curves behind it")),
           &QToolButton::toggled, curves_, &CurveView::setBackHidden);
-  connect(frame->addToggle("curveLink", tr("Link"), tr("Turn and zoom together with the face"), true),
-          &QToolButton::toggled, this, &ViewArea::linkCameras);
-  return frame;
+  connect(add("curveLink", tr("Link"), tr("Turn and zoom together with the face")), &QToolButton::toggled, this,
+          &ViewArea::linkCameras);
+}
+
+/// Made when it is first needed: most never compare, and a view takes time to begin.
+void ViewArea::addOther() {
+  other_ = new FaceView(comparison_->other());
+  other_->setObjectName("otherFaceView");
+  other_->setMesh(face_->mesh());
+  otherFrame_ = new ViewFrame(QString(), other_, this);
+  coloring_->setOther(other_);
+  otherFrame_->addBelow(coloring_->key());
+  for (ViewFrame* frame : {faceFrame_, otherFrame_}) addSummary(frame);
+  addOtherButtons();
+  overlays_.push_back(new CurveOverlay(comparison_->other(), other_, this));
+  arrows_.push_back(new DifferenceArrows(other_, this));
+  splitter_->insertWidget(1, otherFrame_);
+  splitter_->setStretchFactor(1, faceShare);
+  splitter_->setStretchFactor(2, curveShare);
+  splitter_->setSizes({faceShare * manyPixels, faceShare * manyPixels, curveShare * manyPixels});
+  other_->link(face_);
+}
+
+/// Below both, so that both are of one height.
+void ViewArea::addSummary(ViewFrame* frame) {
+  auto* summary = new ElidedLabel(frame);
+  summary->setObjectName(frame == faceFrame_ ? "compareSummaryA" : "compareSummaryB");
+  summary->setContentsMargins(summaryMargin, 0, summaryMargin, summaryMargin / 2);
+  summary->setToolTip(
+      tr("How far A and B lie apart, weighted with area: from point to point where they have the same mesh, else from "
+         "each point to the nearest of the other surface"));
+  frame->addBelow(summary);
+  summaries_.push_back(summary);
+}
+
+void ViewArea::addOtherButtons() {
+  auto* arrows = new QComboBox(otherFrame_);
+  arrows->setObjectName("compareArrows");
+  for (double factor : arrowFactors)
+    arrows->addItem(factor > 0.0 ? tr("Arrows \u00d7 %1").arg(factor) : tr("No arrows"), factor);
+  arrows->setToolTip(
+      tr("The difference as vectors from each face to the other: true length, or 2 to 10 times as long"));
+  connect(arrows, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, arrows] {
+    for (DifferenceArrows* one : arrows_) one->setFactor(arrows->currentData().toDouble());
+  });
+  otherFrame_->addControl(arrows);
+  QToolButton* link = otherFrame_->addToggle("compareLink", tr("Link"), tr("Turn and zoom together with A"), true);
+  connect(link, &QToolButton::toggled, this, [this](bool on) { on ? other_->link(face_) : other_->unlink(); });
+  swap_ = otherFrame_->addButton("compareSwap", tr("Swap"), tr("A becomes B, and B becomes A"));
+  connect(swap_, &QToolButton::clicked, comparison_, &Comparison::swap);
+  connect(otherFrame_->addButton("compareClear", tr("Close"), tr("Ends the comparison")), &QToolButton::clicked,
+          comparison_, &Comparison::clear);
+}
+
+void ViewArea::followComparison() {
+  const bool compares = comparison_->kind() != Comparison::Kind::None;
+  if (compares && !other_) addOther();
+  faceFrame_->setTitle(compares ? tr("A") : tr("Face"));
+  if (compares) {
+    otherFrame_->setTitle(tr("B: %1").arg(comparison_->name()));
+    swap_->setEnabled(comparison_->canSwap());
+  }
+  showCurves();
+  showDifference();
+  arrange();
+}
+
+/// A mesh has no curves.
+void ViewArea::showCurves() {
+  for (CurveOverlay* overlay : overlays_) {
+    const bool hasCurves = overlay == overlays_.front() || !comparison_->mesh();
+    overlay->setCurvesVisible(curvesOn_ && hasCurves);
+    overlay->setNamesVisible(namesOn_ && hasCurves);
+  }
+}
+
+void ViewArea::showDifference() {
+  const Comparison::Side sides[] = {Comparison::Side::A, Comparison::Side::B};
+  for (size_t i = 0; i < summaries_.size(); ++i) {
+    summaries_[i]->setText(comparison_->summary(sides[i]));
+    summaries_[i]->setVisible(comparison_->kind() != Comparison::Kind::None);
+  }
+  const double longest = comparison_->corresponds() ? std::numeric_limits<double>::infinity() : longestArrow;
+  for (size_t i = 0; i < arrows_.size(); ++i)
+    arrows_[i]->show(comparison_->surface(sides[i]), "DistanceVector", longest);
+}
+
+void ViewArea::arrange() {
+  const bool compares = comparison_->kind() != Comparison::Kind::None;
+  if (otherFrame_) otherFrame_->setVisible(compares);
+  curveFrame_->setVisible(!compares || width() >= roomForThree);
+}
+
+void ViewArea::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
 }
 
 void ViewArea::linkCameras(bool linked) {
@@ -105,16 +229,19 @@ void ViewArea::linkCameras(bool linked) {
 void ViewArea::look(RenderView::Side side) {
   face_->look(side);
   if (!curves_->isLinked()) curves_->look(side);
+  if (other_ && !other_->isLinked()) other_->look(side);
 }
 
 void ViewArea::showWhole() {
   face_->fit();
   if (!curves_->isLinked()) curves_->fit();
+  if (other_ && !other_->isLinked()) other_->fit();
 }
 
 void ViewArea::useTheme() {
   face_->useTheme();
   curves_->useTheme();
+  if (other_) other_->useTheme();
 }
 
 }  // namespace mien

@@ -1,40 +1,71 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 #include "FaceView.h"
 
+class QComboBox;
+class QSplitter;
+class QToolButton;
+
 namespace mien {
 
-class ColoringBar;
+class Comparison;
+class CurveOverlay;
 class CurveView;
+class DifferenceArrows;
+class FaceColoring;
 class FaceModel;
+class ElidedLabel;
 class ViewFrame;
 
-/// The views in the middle of the window, side by side: the face and its curves, and above them what the face shows.
+/// The views in the middle of the window, side by side: the face, the one that it is compared with, and the curves;
+/// above them what the faces show. Where there is no room for three, a comparison takes the place of the curves.
 class ViewArea : public QWidget {
   Q_OBJECT
  public:
   ViewArea(FaceModel* model, FaceView* face, CurveView* curves, QWidget* parent = nullptr);
 
   ViewFrame* faceFrame() const { return faceFrame_; }
+  Comparison* comparison() const { return comparison_; }
 
   void look(RenderView::Side side);
   void useTheme();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* displayRow();
   QWidget* splitter();
   void addMeshChoice();
   void addSideButtons();
-  QWidget* curveFrame();
+  void addCurveFrame();
+  void addOther();
+  void addOtherButtons();
+  void addSummary(ViewFrame* frame);
+  void followComparison();
+  void showCurves();
+  void showDifference();
+  void arrange();
   void linkCameras(bool linked);
   void showWhole();
 
   FaceModel* model_;
   FaceView* face_;
   CurveView* curves_;
-  ViewFrame* faceFrame_;
+  Comparison* comparison_;
+  FaceColoring* coloring_;
+  ViewFrame *faceFrame_, *curveFrame_, *otherFrame_ = nullptr;
+  FaceView* other_ = nullptr;
+  std::vector<CurveOverlay*> overlays_;
+  std::vector<DifferenceArrows*> arrows_;
+  std::vector<ElidedLabel*> summaries_;
+  QComboBox* mesh_;
+  QSplitter* splitter_;
+  QToolButton* swap_ = nullptr;
+  bool curvesOn_ = false, namesOn_ = false;
 };
 
 }  // namespace mien

@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -9,7 +10,6 @@
 #include "Arguments.h"
 #include "Command.h"
 #include "CommandText.h"
-#include "FaceNote.h"
 #include "FaceOptions.h"
 #include "FaceStateText.h"
 #include "FaceTexture.h"
@@ -36,7 +36,7 @@ struct Options {
   FigureOptions figure{"170"};
   std::string id, output, from, format = "svg", frames;
   std::vector<std::string> textures;
-  bool all = false, noLabels = false, list = false;
+  bool all = false, noLabels = false, noCaption = false, list = false;
   const CLI::App* command = nullptr;
 };
 
@@ -46,6 +46,8 @@ FigureSettings settingsOf(const Options& options) {
   settings.dotsPerInch = options.figure.dotsPerInch();
   settings.theme = *FigureTheme::find(options.figure.theme());
   settings.labelled = !options.noLabels;
+  settings.captioned = !options.noCaption;
+  settings.hasResolution = options.face.hasResolution();
   settings.textures = options.textures;
   settings.frames = options.frames;
   return settings;
@@ -81,12 +83,24 @@ void remarkUnused(const Options& options, const CatalogueFigure& figure) {
               << figuresWith([](const CatalogueFigure& f) { return f.textures > 1; }) << " shows several\n";
 }
 
-void write(const Options& options, FigureContext& context, const CatalogueFigure& figure, const std::string& name) {
+/// A figure that is higher than a page is of no use in a paper.
+void remarkHeight(const Options& options, const CatalogueFigure& figure, const QSizeF& size) {
+  constexpr double page = 240.0;  // mm
+  const int height = static_cast<int>(std::lround(size.height() / figureUnitsPerMillimetre));
+  if (height > page)
+    std::cerr << "mien: " << figure.id << " is " << height << " mm high at a width of " << options.figure.width()
+              << " mm, more than the " << page << " mm of a page; a larger --width or --no-caption makes it lower\n";
+}
+
+/// @return what was drawn
+FigureDrawing write(const Options& options, FigureContext& context, const CatalogueFigure& figure,
+                    const std::string& name) {
   const std::string command = commandFor(options, figure);
-  const FigureDrawing drawing = figure.draw(context);
+  FigureDrawing drawing = figure.draw(context);
+  remarkHeight(options, figure, drawing.size);
   options.figure.write(name, drawing.size, drawing.paint, figure.id + ": " + figure.title,
-                       command + "\n" + faceNote(context.state(), {context.state().surface.scheme}) + "\n" +
-                           writeFaceState(context.state()));
+                       command + "\n" + drawing.caption + "\n" + drawing.note + "\n" + writeFaceState(context.state()));
+  return drawing;
 }
 
 void drawOne(const Options& options) {
@@ -112,14 +126,14 @@ void makeFolder(const std::string& folder) {
 /// @return whether its files allowed that; the reason is said
 bool drawInto(const Options& options, FigureContext& context, const CatalogueFigure& figure, FigureGallery& gallery) {
   const std::string file = figure.id + "." + options.format;
+  FigureDrawing drawing;
   try {
-    write(options, context, figure, (fs::path(options.output) / file).string());
+    drawing = write(options, context, figure, (fs::path(options.output) / file).string());
   } catch (const FileFailure& failure) {
     std::cerr << "mien: " << figure.id << ": " << failure.what() << "\n";
     return false;
   }
-  gallery.add({&figure, file, commandFor(options, figure) + " -o " + file,
-               faceNote(context.state(), {context.state().surface.scheme})});
+  gallery.add({&figure, file, commandFor(options, figure) + " -o " + file, drawing.caption, drawing.note});
   return true;
 }
 
@@ -159,7 +173,27 @@ void listFigures() {
     std::cout << figure.id << "\t" << figure.title << (figure.source.empty() ? "" : " (" + figure.source + ")") << "\n";
 }
 
-/// Runs the command that a figure carries, with another output.
+/// The option that a word names, or nullptr: "--width", "-N".
+const CLI::Option* optionNamed(const CLI::App& command, const std::string& word) {
+  return word.size() > 1 && word[0] == '-' ? command.get_option_no_throw(word) : nullptr;
+}
+
+/// Without the options that were given anew, and with these behind.
+std::vector<std::string> withNewOptions(const std::vector<std::string>& words, const CLI::App& command) {
+  std::vector<std::string> kept;
+  bool replaced = false;
+  for (const std::string& word : words) {
+    const CLI::Option* const option = optionNamed(command, word);
+    if (option) replaced = option->count() > 0;
+    if (!replaced) kept.push_back(word);
+    if (option && option->get_expected_max() == 0) replaced = false;  // a flag has no value
+  }
+  const std::vector<std::string> given = commandWords(commandText(command, {}, {"--output", "--from"}));
+  kept.insert(kept.end(), given.begin() + 2, given.end());  // behind "mien figure"
+  return kept;
+}
+
+/// Runs the command that a figure carries, with another output and the options that were given beside --from.
 void drawAgain(const Options& options) {
   FigureMetadata metadata;
   const std::string fault = metadata.read(options.from);
@@ -167,6 +201,7 @@ void drawAgain(const Options& options) {
   std::vector<std::string> words = commandWords(metadata.description.substr(0, metadata.description.find('\n')));
   if (words.size() < 3 || words[0] != "mien" || words[1] != "figure")
     throw FileFailure(options.from + ": was not drawn by mien figure, but by: " + metadata.description);
+  words = withNewOptions(words, *options.command);
   words.insert(words.end(), {"-o", options.output});
   CLI::App program;
   addFigureCommand(program);
@@ -210,12 +245,17 @@ void addFigureCommand(CLI::App& program) {
   command->add_option("figure", options->id, "Which one: pde-1 .., fdt-2 .., mien-sweep ..; --list shows all");
   command->add_flag("--all", options->all, "All of them, with index.html");
   command->add_flag("--list", options->list, "The figures and what they show");
-  command->add_option("--from", options->from,
-                      "Draws the figure of this .svg, .pdf or .png again, with its parameters");
+  command->add_option(
+      "--from", options->from,
+      "Draws the figure of this .svg, .pdf or .png again, with its parameters; options given beside replace its own");
   command->add_option("-o,--output", options->output, "File to write: .svg .pdf .png; a folder for --all");
   command->add_option("--format", options->format, "Of --all: svg, pdf or png")->capture_default_str();
   options->figure.addTo(*command, "Figure");
   command->add_flag("--no-labels", options->noLabels, "No (a), (b) .. before panels")->group("Figure");
+  command
+      ->add_flag("--no-caption", options->noCaption,
+                 "No title, caption and parameters in the picture; they stay in its metadata")
+      ->group("Figure");
   command
       ->add_option("--frames", options->frames,
                    "Frame numbers of figures of an animation, such as 100,120,125 or 100:104")

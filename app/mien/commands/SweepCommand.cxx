@@ -76,9 +76,9 @@ std::map<std::string, double> describeBreakdowns(const MeasuredFace& face, vtkPD
     report.json["breakdowns"].push_back(
         {{"scheme", scheme}, {"a", std::isfinite(a) ? json(a) : json(nullptr)}, {"reason", reason}});
     if (std::isfinite(a)) breakdowns[scheme] = a;
-    report.remarks.push_back(
-        scheme + ": " +
-        (std::isfinite(a) ? "breaks down at a = " + shortestText(a) + ": " + reason : "holds at every a of the sweep"));
+    report.remarks.push_back(scheme + ": " +
+                             (std::isfinite(a) ? "breaks down at a = " + readableNumber(a) + ": " + reason
+                                               : "holds at every a of the sweep"));
   }
   return breakdowns;
 }
@@ -101,7 +101,7 @@ Report reportOf(const MeasuredFace& face, const SweepChoice& choice, vtkPDEParam
     report.json["samples"].push_back(sampleOf(row));
   }
   const std::map<std::string, double> breakdowns = describeBreakdowns(face, sweep, report);
-  const std::string note = face.note(false) + "; " + std::to_string(state.rows) + " x " +
+  const std::string note = face.note(false) + "; " + std::to_string(state.rows) + " × " +
                            std::to_string(state.columns) + " points" +
                            (choice.scan.empty() ? "" : "; distance to " + choice.scan);
   report.figure = [records, breakdowns, note, reference = sweep->GetReferenceSmoothing()] {
@@ -136,7 +136,8 @@ void addSweepCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("sweep", "Measure a face over the smoothing parameter a");
   options->report.addTo(*command);
-  options->face.setDefaultResolution(112, 80);
+  const SmoothingSweepOptions usual;
+  options->face.setDefaultResolution(usual.rows, usual.columns);
   options->face.addWithoutSmoothing(*command);
   command->add_option("-a,--a,--smoothing", options->choice.range, "Values of a: 0.5,1,2 or 0.1:100:50log or 0.1:1:10")
       ->capture_default_str()
@@ -148,8 +149,8 @@ void addSweepCommand(CLI::App& program) {
       "Example: mien sweep --scheme all --a 0.1:100:50log -o sweep.csv -o sweep.svg\n"
       "Area, departure from the surface at the reference a, miss of the curves, Lebesgue constant, largest angle at a "
       "seam,\n"
-      "folded cells, Willmore energy; crosses in the chart mark where a scheme breaks down. Ctrl-C stops without "
-      "output.");
+      "folded cells, Willmore energy; markers above a chart show where a scheme breaks down,\n"
+      "to 1 % on grids that are refined until it stays. Ctrl-C stops without output.");
   command->callback([options] { run(*options); });
 }
 

@@ -44,21 +44,22 @@ PlatePanel vectorRow(FigureContext& context, const std::vector<FaceState>& state
   options.width = context.innerWidth();
   options.columns = context.isNarrow() ? 3 : static_cast<int>(states.size());  // arrows must be seen
   options.labelled = false;
-  return motionPanel("Motion against the neutral face, 56 x 40 points", fields, options);
+  options.asRow = true;
+  return motionPanel("Motion against the neutral face, 56 × 40 points", fields, options);
 }
 
 /// @param heads  whether each face is named by its frame
 PlatePanel texturedRow(FigureContext& context, const std::vector<FaceState>& states, size_t texture,
                        const std::string& heading, bool heads) {
-  std::vector<PlatePanel> panels;
+  std::vector<FigureContext::NamedFace> faces;
   for (const FaceState& one : states) {
     FaceState state = context.textured(one, texture);
     state.rows = fineRows;
     state.columns = fineColumns;
-    const double width = context.innerWidth() / static_cast<double>(states.size());
-    panels.push_back(context.facePanel(heads ? frameHeading(one) : "", state, SceneStyle(), width, shape));
+    faces.push_back({heads ? frameHeading(one) : "", state});
   }
-  return panelRow(heading, panels, context.innerWidth());
+  const double width = context.innerWidth() / static_cast<double>(states.size());
+  return panelRow(heading, context.facePanels(faces, SceneStyle(), width, shape), context.innerWidth());
 }
 
 /// The face, the file and its frames.
@@ -77,7 +78,9 @@ FigureDrawing drawAnimation(FigureContext& context) {
   plate.panels = {curveRow(context, states), vectorRow(context, states)};
   const size_t textures = std::max<size_t>(context.settings().textures.size(), 1);
   for (size_t i = 0; i < textures; ++i) plate.panels.push_back(texturedRow(context, states, i, "Textured", false));
-  plate.caption = "Frames of an animation; arrows of all frames have one scale and one range of colours.";
+  plate.caption =
+      "Frames of an animation; the faces of a row have one scale, arrows of all frames one scale and one range of "
+      "colours.";
   plate.note = noteOf(states);
   return context.drawn(plate);
 }
@@ -87,7 +90,7 @@ FigureDrawing drawTexturedAnimation(FigureContext& context) {
   Plate plate;
   plate.columns = 1;
   plate.panels = {texturedRow(context, states, 0, "", true)};
-  plate.caption = "Frames of an animation, textured.";
+  plate.caption = "Frames of an animation, textured, at one scale.";
   plate.note = noteOf(states);
   return context.drawn(plate);
 }

@@ -30,14 +30,21 @@ double faceScale(const CurveDrawing& face, double panelWidth) {
   return (face.bounds().width() + 2.0 * leaders) / (panelWidth - 2.0 * nameWidth - patchesWidth);
 }
 
+/// Whether a patch ends at a curve and another begins; at the mouth one ends at C22 and the next begins at C22'.
+bool isShared(int curve) {
+  const auto* const begin = std::begin(FaceLayout::firstCurve);
+  return curve == FaceLayout::upperLip ||
+         std::find(begin + 1, begin + FaceLayout::patchCount, curve) != begin + FaceLayout::patchCount;
+}
+
 PlaneDrawing labelledCurves(const ClosedCurves& curves, double panelWidth) {
   PlaneDrawing drawing;
   const CurveDrawing face(curves);
   face.addLines(drawing, [](int curve) {
     PlaneStroke stroke;
-    const bool isSeam = curve % 3 == 0 && curve < FaceLayout::upperLip;
-    stroke.width = isSeam ? 0.8 : 0.45;
+    stroke.width = isShared(curve) ? 1.0 : 0.45;
     if (curve == FaceLayout::upperLip || curve == FaceLayout::lowerLip) stroke.color = QColor("#d55e00");
+    if (curve == FaceLayout::lowerLip) stroke = {QColor("#0072b2"), 1.0, true};
     return stroke;
   });
   const double scale = faceScale(face, panelWidth), gap = nameHeight * scale;
@@ -67,7 +74,7 @@ FigureDrawing drawBoundaryCurves(FigureContext& context) {
   plate.caption =
       "The 29 boundary curves of the frontal half and the nine patches P0 .. P8, each between four of them. Thick: "
       "curves "
-      "that two patches share; orange: the inner contours C22 (upper) and C22' (lower).";
+      "at which two patches meet; among them the inner contours C22 (upper, orange) and C22' (lower, dashed blue).";
   return context.drawn(plate);
 }
 

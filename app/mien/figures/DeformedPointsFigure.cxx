@@ -93,7 +93,7 @@ FigureDrawing drawDeformedPoints(FigureContext& context) {
   plate.panels = {drawingPanel("Points of the neutral face", before, shown),
                   drawingPanel("Deformed by " + name, after, shown)};
   plate.caption = std::string(
-                      "A lattice of points; the rings at (-1, 0) and (1, 0) are the pupils, grey curves those of the "
+                      "A lattice of points; the rings at (−1, 0) and (1, 0) are the pupils, grey curves those of the "
                       "neutral face. Each point is moved by the map of its region, ") +
                   (asked.smooth ? "blended smoothly at the borders." : "with the hard borders of the paper.");
   return context.drawn(plate);

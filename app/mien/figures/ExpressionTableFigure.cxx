@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "AnimationData.h"
 #include "CatalogueFigures.h"
@@ -18,7 +19,8 @@ std::string valueText(const FacialAction& action) {
   std::vector<std::pair<int, double>> values = action.values;
   std::sort(values.begin(), values.end());
   for (const auto& [fap, value] : values)
-    text += (text.empty() ? "" : ", ") + std::to_string(fap) + ":" + noBreak + shortestText(value);
+    text += (text.empty() ? "" : ", ") + std::to_string(fap) + ":" + noBreak + (value < 0.0 ? "−" : "") +
+            shortestText(std::abs(value));
   return text;
 }
 

@@ -44,10 +44,10 @@ PlatePanel curveRow(FigureContext& context) {
 PlatePanel faceRow(FigureContext& context, const std::string& heading, const FaceState& rest, SceneStyle::Mesh mesh) {
   SceneStyle style;
   style.mesh = mesh;
-  std::vector<PlatePanel> panels;
-  for (const char* const name : expressions)
-    panels.push_back(context.facePanel("", withExpression(rest, name), style, context.innerWidth() / count, shape));
-  return panelRow(heading, panels, context.innerWidth());
+  if (mesh == SceneStyle::Mesh::Wireframe) style.samples = 6;  // fine lines in small pictures
+  std::vector<FigureContext::NamedFace> faces;
+  for (const char* const name : expressions) faces.push_back({"", withExpression(rest, name)});
+  return panelRow(heading, context.facePanels(faces, style, context.innerWidth() / count, shape), context.innerWidth());
 }
 
 }  // namespace
@@ -61,9 +61,9 @@ FigureDrawing drawExpressions(FigureContext& context) {
   fine.columns = 160;
   Plate plate;
   plate.columns = 1;
-  plate.panels = {curveRow(context), faceRow(context, "Surface, 29 x 40 points", mesh, SceneStyle::Mesh::Wireframe),
+  plate.panels = {curveRow(context), faceRow(context, "Surface, 29 × 40 points", mesh, SceneStyle::Mesh::Wireframe),
                   faceRow(context, "Textured", fine, SceneStyle::Mesh::Shaded)};
-  plate.caption = "The six expressions at full intensity, each from its FAPs.";
+  plate.caption = "The six expressions at full intensity, each from its FAPs; all panels of a row have one scale.";
   return context.drawn(plate);
 }
 

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int innerBrow = 31, middleBrow = 33, outerBrow = 35;
 constexpr double value = 250.0;  // FAP units
+constexpr int sumStyle = 4;
 constexpr const char* curveName = "C6";
 constexpr double from = 170.0 / 180.0 * M_PI, to = 262.0 / 180.0 * M_PI;  // the left brow along v
 
@@ -21,25 +22,26 @@ constexpr double from = 170.0 / 180.0 * M_PI, to = 262.0 / 180.0 * M_PI;  // the
 Chart weightChart(const FaceAnimator& face) {
   Chart chart;
   chart.x = {"v", "degrees"};
-  chart.y = {"Weight on " + std::string(curveName), ""};
-  chart.y.begin = 0.0;
+  chart.y = {"Weight", ""};
+  chart.y.begin = -0.1;  // between samples the curve ripples below 0
   chart.y.end = 1.1;
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(face.neutral().curves.pointsPerCurve);
-  const auto addSeries = [&](const std::string& name, const Eigen::VectorXd& weights) {
+  const auto addSeries = [&](const std::string& name, const Eigen::VectorXd& weights, int style) {
     ChartSeries series;
     series.name = name;
+    series.style = style;
     for (double v = from; v <= to + 1e-9; v += M_PI / 360.0) {
       series.x.push_back(v * 180.0 / M_PI);
       series.y.push_back(cardinalWeights(static_cast<int>(weights.size()), v).dot(weights));
     }
     chart.series.push_back(series);
   };
-  for (int fap : {innerBrow, middleBrow, outerBrow}) {
-    const Eigen::VectorXd weights = face.basis().weights(fap, FaceLayout::curveIndex(curveName));
-    addSeries("FAP " + std::to_string(fap), weights);
-    sum += weights;
-  }
-  addSeries("sum", sum);
+  constexpr int faps[] = {innerBrow, middleBrow, outerBrow};
+  const auto weightsOf = [&](int fap) { return face.basis().weights(fap, FaceLayout::curveIndex(curveName)); };
+  for (const int fap : faps) sum += weightsOf(fap);
+  addSeries("Sum of the three", sum, sumStyle);  // first, under the others
+  for (const int fap : faps)
+    addSeries("FAP " + std::to_string(fap), weightsOf(fap), static_cast<int>(chart.series.size()) - 1);
   return chart;
 }
 
@@ -85,15 +87,15 @@ FigureDrawing drawEyebrow(FigureContext& context) {
   Plate plate;
   plate.columns = 2;
   for (size_t i = 0; i < cases.size(); ++i) plate.panels.push_back(drawingPanel(cases[i].first, drawings[i], shown));
-  plate.panels.push_back(chartPanel(weightChart(face)));
+  plate.panels.push_back(chartPanel(weightChart(face), context.isNarrow() ? 0.5 : 0.27));
   plate.panels.back().span = 2;
-  plate.panels.back().heading = "Weights along the curve";
+  plate.panels.back().heading = "Weights along " + std::string(curveName);
   const double unit = face.units().perValue(fapDefinition(middleBrow).unit);
   plate.caption = "Values of " + shortestText(value) + " FAP units, " +
                   shortestText(std::round(value * unit * 100.0) / 100.0) +
                   " mm at weight 1; dashed: the neutral brow. The weights are staggered sinusoids that sum to at most "
-                  "1 at the samples, so "
-                  "that no point rises further than the largest of the three.";
+                  "1 at the samples, so that no point rises further than the largest of the three; between samples "
+                  "their interpolant ripples.";
   return context.drawn(plate);
 }
 

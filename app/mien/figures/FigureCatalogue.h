@@ -14,7 +14,6 @@ struct CatalogueFigure {
   std::string id;      ///< "pde-1"
   std::string source;  ///< the paper's figure: "Sheng et al. 2011, Figure 1"; empty for Mien's own
   std::string title;
-  std::string caption;  ///< what is seen, in the gallery
   FigureDrawing (*draw)(FigureContext& context);
   int textures = 0;     ///< how many of the textures asked for it shows at most
   bool frames = false;  ///< whether it shows frames of an animation

@@ -9,6 +9,7 @@
 #include "FaceScene.h"
 #include "Failure.h"
 #include "FigurePainter.h"
+#include "OutermostPoints.h"
 #include "PicturePanel.h"
 #include "PlatePainter.h"
 #include "vtkAlgorithm.h"
@@ -77,19 +78,34 @@ vtkSmartPointer<vtkImageData> FigureContext::textureOf(FacePipeline& pipeline) {
   return texture;
 }
 
-QImage FigureContext::picture(const FaceState& state, SceneStyle style, double width, double shape) {
+QImage FigureContext::picture(const FaceState& state, SceneStyle style, double width, double shape,
+                              vtkPolyData* framed) {
   requireDisplay();
   style.width = pixelsOf(width, settings_.dotsPerInch);
   style.height = pixelsOf(width * shape, settings_.dotsPerInch);
   style.transparent = true;
   FacePipeline& face = pipeline(state);
   FaceScene scene(face, style, textureOf(face));
+  if (framed) scene.placeCamera(framed);
   return imageOf(scene.render());
 }
 
 PlatePanel FigureContext::facePanel(const std::string& heading, const FaceState& state, const SceneStyle& style,
                                     double width, double shape) {
   return picturePanel(heading, picture(state, style, width, shape));
+}
+
+std::vector<PlatePanel> FigureContext::facePanels(const std::vector<NamedFace>& faces, const SceneStyle& style,
+                                                  double width, double shape) {
+  OutermostPoints together(style.view);
+  for (const NamedFace& face : faces) {
+    FacePipeline& moved = pipeline(face.state);
+    together.add(vtkPolyData::SafeDownCast(moved.surface()->GetOutputDataObject(0))->GetPoints());
+  }
+  std::vector<PlatePanel> panels;
+  for (const NamedFace& face : faces)
+    panels.push_back(picturePanel(face.heading, picture(face.state, style, width, shape, together.points())));
+  return panels;
 }
 
 MotionField FigureContext::motion(const FaceState& moved, const FaceState& origin) {
@@ -105,7 +121,7 @@ MotionField FigureContext::motion(const FaceState& moved, const FaceState& origi
 MotionVectorOptions FigureContext::vectorOptions() const {
   MotionVectorOptions options;
   options.theme = settings_.theme.name;
-  options.picture.sampling.kind = VectorSampling::Kind::Even;
+  options.picture.sampling.kind = VectorSampling::Kind::Automatic;
   return options;
 }
 
@@ -120,17 +136,35 @@ double FigureContext::innerWidth() const {
   return PlatePainter::panelWidth(settings_.width, 1, 1);
 }
 
-FigureDrawing FigureContext::drawn(const Plate& plate, bool labelled) const {
-  Plate noted = plate;
-  if (noted.note.empty()) noted.note = faceNote(state_, {state_.surface.scheme});
-  const auto painter =
-      std::make_shared<PlatePainter>(noted, settings_.theme, settings_.width, labelled && settings_.labelled);
-  return {painter->size(), [painter](QPainter& p) { painter->paint(p); }};
+template <class Words>
+void FigureContext::keepWords(Words& words, FigureDrawing& drawing) const {
+  if (words.note.empty()) words.note = faceNote(state_, {state_.surface.scheme});
+  drawing.caption = words.caption;
+  drawing.note = words.note;
+  if (settings_.captioned) return;
+  words.title.clear();
+  words.caption.clear();
+  words.note.clear();
 }
 
-FigureDrawing FigureContext::drawn(const Figure& figure) const {
+FigureDrawing FigureContext::drawn(Plate plate, bool labelled) const {
+  FigureDrawing drawing;
+  keepWords(plate, drawing);
+  const auto painter =
+      std::make_shared<PlatePainter>(plate, settings_.theme, settings_.width, labelled && settings_.labelled);
+  drawing.size = painter->size();
+  drawing.paint = [painter](QPainter& p) { painter->paint(p); };
+  return drawing;
+}
+
+FigureDrawing FigureContext::drawn(Figure figure) const {
+  FigureDrawing drawing;
+  keepWords(figure, drawing);
+  figure.labelled = figure.labelled && settings_.labelled;
   const auto painter = std::make_shared<FigurePainter>(figure, settings_.theme, settings_.width);
-  return {painter->size(), [painter](QPainter& p) { painter->paint(p); }};
+  drawing.size = painter->size();
+  drawing.paint = [painter](QPainter& p) { painter->paint(p); };
+  return drawing;
 }
 
 }  // namespace mien

@@ -8,6 +8,7 @@
 #include "FaceCurves.h"
 #include "FacePipeline.h"
 #include "FaceState.h"
+#include "Figure.h"
 #include "FigureDrawing.h"
 #include "FigureSettings.h"
 #include "MotionField.h"
@@ -21,8 +22,6 @@ class vtkImageData;
 class vtkPolyData;
 
 namespace mien {
-
-struct Figure;
 
 /// What the figures of the catalogue are made with: the face that was asked for and ways to draw it.
 class FigureContext {
@@ -52,11 +51,21 @@ class FigureContext {
   ///
   /// @param width  of the panel, mm
   /// @param shape  height over width
-  QImage picture(const FaceState& state, SceneStyle style, double width, double shape);
+  /// @param framed  points that the camera sees; without them the face alone
+  QImage picture(const FaceState& state, SceneStyle style, double width, double shape, vtkPolyData* framed = nullptr);
 
   /// The same as a panel of a plate.
   PlatePanel facePanel(const std::string& heading, const FaceState& state, const SceneStyle& style, double width,
                        double shape);
+
+  struct NamedFace {
+    std::string heading;
+    FaceState state;
+  };
+
+  /// Several faces at one scale and place, so that what moves is seen to move.
+  std::vector<PlatePanel> facePanels(const std::vector<NamedFace>& faces, const SceneStyle& style, double width,
+                                     double shape);
 
   /// The motion of the face from one state to another.
   MotionField motion(const FaceState& moved, const FaceState& origin);
@@ -71,13 +80,15 @@ class FigureContext {
   double innerWidth() const;
 
   /// @param labelled  (a), (b) .. before panels, unless --no-labels
-  FigureDrawing drawn(const Plate& plate, bool labelled = true) const;
-  FigureDrawing drawn(const Figure& figure) const;
+  FigureDrawing drawn(Plate plate, bool labelled = true) const;
+  FigureDrawing drawn(Figure figure) const;
 
   /// Whether the figure is for one column of a page.
   bool isNarrow() const { return settings_.width < 120.0; }
 
  private:
+  template <class Words>
+  void keepWords(Words& words, FigureDrawing& drawing) const;
   vtkSmartPointer<vtkImageData> textureOf(FacePipeline& pipeline);
 
   FaceState state_;

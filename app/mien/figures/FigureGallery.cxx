@@ -43,7 +43,7 @@ std::string section(const FigureGallery::Entry& entry) {
   return "<figure id=\"" + figure.id + "\">\n" + picture(entry) + "<figcaption>\n<h2>" +
          escaped(figure.id + ": " + figure.title) + "</h2>\n<p class=\"source\">" +
          escaped(figure.source.empty() ? "Mien's own figure" : "After " + figure.source) + "</p>\n<p>" +
-         escaped(figure.caption) + "</p>\n<p class=\"source\">" + escaped(entry.face) + "</p>\n<code>" +
+         escaped(entry.caption) + "</p>\n<p class=\"source\">" + escaped(entry.note) + "</p>\n<code>" +
          escaped(entry.command) + "</code>\n</figcaption>\n</figure>\n";
 }
 

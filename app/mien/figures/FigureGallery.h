@@ -14,7 +14,8 @@ class FigureGallery {
     const CatalogueFigure* figure;
     std::string file;     ///< beside the page
     std::string command;  ///< that draws this file again
-    std::string face;     ///< its parameters in words
+    std::string caption;  ///< as drawn
+    std::string note;     ///< its parameters in words
   };
 
   void add(const Entry& entry) { entries_.push_back(entry); }

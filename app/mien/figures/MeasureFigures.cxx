@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <tuple>
 
+#include "BreakdownSearch.h"
 #include "CatalogueFigures.h"
 #include "ChartPanel.h"
 #include "CsvText.h"
@@ -26,6 +28,11 @@ std::vector<std::string> allSchemes() {
 
 constexpr double rounding = 1e-9;  // degrees: less is none
 
+/// The digits that a search to 1 percent knows.
+std::string breakdownText(const json& a) {
+  return a.is_number() ? QString::number(a.get<double>(), 'g', 2).toStdString() : "holds";
+}
+
 std::string threeDigits(const json& value) {
   if (!value.is_number()) return "-";
   return value < rounding ? "0" : QString::number(value.get<double>(), 'g', 3).toStdString();
@@ -37,6 +44,7 @@ PlatePanel bare(FigureContext& context, Figure chart) {
   chart.title.clear();
   chart.caption.clear();
   chart.note.clear();
+  chart.labelled = context.settings().labelled;
   return figurePanel("", chart, context.innerWidth(), context.isNarrow() ? narrowShare : 1.0);
 }
 
@@ -60,10 +68,14 @@ TextTable largestAngles(const json& report, const std::vector<std::string>& sche
 TextTable breakdownTable(const json& breakdowns) {
   TextTable table;
   table.close = true;
-  table.columns = {{"Scheme", 0.8}, {"Breaks down at a", 0.8}, {"Because", 2.4}};
+  table.columns = {{"Scheme", 0.8}, {"Breaks down at a", 0.9}, {"Because", 2.3}};
   for (const json& row : breakdowns)
-    table.rows.push_back({row["scheme"].get<std::string>(), threeDigits(row["a"]), row["reason"].get<std::string>()});
+    table.rows.push_back({row["scheme"].get<std::string>(), breakdownText(row["a"]), row["reason"].get<std::string>()});
   return table;
+}
+
+std::string gridText(int factor) {
+  return std::to_string(factor * BreakdownSearch::rows) + " × " + std::to_string(factor * BreakdownSearch::columns);
 }
 
 /// The surface at a few values of a, the same scheme.
@@ -77,7 +89,9 @@ PlatePanel surfaceRow(FigureContext& context) {
     panels.push_back(
         context.facePanel("a = " + shortestText(a), state, SceneStyle(), context.innerWidth() / 4.0, faceShape));
   }
-  return panelRow("Scheme " + context.state().surface.scheme, panels, context.innerWidth());
+  PlatePanel row = panelRow("The surface, scheme " + context.state().surface.scheme, panels, context.innerWidth());
+  if (context.settings().labelled) row.label = "(a)";
+  return row;
 }
 
 }  // namespace
@@ -109,14 +123,17 @@ FigureDrawing drawSpectrum(FigureContext& context) {
 
 FigureDrawing drawSweep(FigureContext& context) {
   MeasuredFace face;
-  face.set(context.state(), allSchemes());
-  SweepChoice choice;
-  choice.range = "0.1:100:25log";
-  const Report report = sweepReport(face, choice);
-  const Figure chart = report.figure();
+  FaceState state = context.state();
+  const SmoothingSweepOptions usual;  // as mien sweep
+  if (!context.settings().hasResolution) std::tie(state.rows, state.columns) = std::tie(usual.rows, usual.columns);
+  face.set(state, allSchemes());
+  const Report report = sweepReport(face, SweepChoice());
+  Figure chart = report.figure();
+  chart.firstLabel = 1;  // behind the row of faces
   Plate plate;
   plate.columns = 1;
-  plate.caption = chart.caption;
+  plate.caption = chart.caption + " The table's a are exact to 1 %: bisected, on grids from " + gridText(1) +
+                  " points up to " + gridText(BreakdownSearch::mostRows / BreakdownSearch::rows) + " until they stay.";
   plate.note = chart.note;
   plate.panels = {surfaceRow(context), bare(context, chart),
                   tablePanel("", breakdownTable(report.json["breakdowns"]), context.innerWidth())};

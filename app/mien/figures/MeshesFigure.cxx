@@ -24,7 +24,7 @@ FigureDrawing drawMeshes(FigureContext& context) {
       style.mesh = mesh;
       const bool lines = mesh == SceneStyle::Mesh::Wireframe;
       const std::string size =
-          std::to_string(rows) + " x " + std::to_string(columns) + (lines ? ", wireframe" : ", shaded");
+          std::to_string(rows) + " × " + std::to_string(columns) + (lines ? ", wireframe" : ", shaded");
       plate.panels.push_back(picturePanel(size, context.picture(state, style, width, shape)));
     }
   plate.caption = "Rows x columns of points on the same boundary curves.";

@@ -73,7 +73,8 @@ struct Scale {
 void addPupil(PlaneDrawing& drawing, const Eigen::Vector2d& at, const QString& name, double above) {
   const QColor color("#d55e00");
   drawing.marks.push_back({pointOf(at), 1.6, {color, 0.5, false, color}});
-  const QString text = QString("%1 (%2, %3)").arg(name).arg(std::lround(at.x())).arg(std::lround(at.y()));
+  const QString text =
+      QString("%1 (%2, %3)").arg(name).arg(std::lround(at.x())).arg(std::lround(at.y())).replace('-', "−");
   drawing.labels.push_back({pointOf(at) + QPointF(0.0, above), text, 6.0, Qt::AlignCenter, color, true, true});
 }
 

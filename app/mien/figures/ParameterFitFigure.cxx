@@ -37,7 +37,7 @@ RegionPoints pointsOf(const MotionField& field, const PupilNormalisation& pupils
   for (Eigen::Index i = 0; i < field.origins.rows(); ++i) {
     const Eigen::Vector3d at = field.origins.row(i).transpose();
     const Eigen::Vector2d place = pupils.apply(at).head<2>();
-    const bool onFace = at.z() > frontZ && defaultRegions().outlineWeight(place) >= 1.0;
+    const bool onFace = at.z() > frontZ && defaultRegions().covers(place);
     if (!onFace || defaultRegions().nearest(place) != region) continue;
     points.before.push_back(place);
     points.after.push_back(pupils.apply(at + field.vectors.row(i).transpose()).head<2>());
@@ -68,6 +68,7 @@ TextTable coefficientTable(const QuadraticMap& map) {
           .arg(row ? "b" : "a")
           .arg(i + 1)
           .arg(map.coefficients(row, i), 0, 'f', 4)
+          .replace('-', "−")
           .toStdString();
     };
     table.rows.push_back({terms[i], cell(0), cell(1)});

@@ -70,7 +70,7 @@ FigureDrawing drawRegions(FigureContext& context) {
   plate.caption =
       "A point belongs to the nearest of 16 centres (numbers); colours only tell neighbours apart. Circles: the pupils "
       "at "
-      "(-1, 0) and (1, 0).";
+      "(−1, 0) and (1, 0).";
   return context.drawn(plate);
 }
 

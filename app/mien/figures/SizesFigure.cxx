@@ -1,4 +1,5 @@
 #include "CatalogueFigures.h"
+#include "CsvText.h"
 #include "CurveModes.h"
 #include "DetailFigure.h"
 #include "FaceNote.h"
@@ -21,6 +22,7 @@ namespace {
 using json = nlohmann::ordered_json;
 
 constexpr int fineRows = 224, fineColumns = 160;  // of the surface that stands for a scan
+constexpr double spacing = 6.0;                   // mm, between the points at which distances are measured
 
 std::vector<DetailPoint> pointsOf(vtkTable* table) {
   std::vector<DetailPoint> points;
@@ -52,11 +54,15 @@ FigureDrawing drawSizes(FigureContext& context) {
   filter->SetInputConnection(pipeline.curves()->GetOutputPort());
   filter->SetScanData(outwards->GetOutput());
   filter->SetParameters(state.surface);
+  filter->SetSampleSpacing(spacing);
   updateWatched(filter, "comparison");
   if (!errors.first().empty()) throw FileFailure(errors.first());
   const int k = pipeline.pointsPerCurve();
-  Figure figure = detailFigure(pointsOf(filter->GetOutput()), modeNumberCount(k, k / 2) * double(sizeof(float)));
-  figure.note = faceNote(state, {state.surface.scheme}) + "; measured on its own surface of 224 x 160 points";
+  Figure figure = detailFigure(pointsOf(filter->GetOutput()), modeNumberCount(k, k / 2) * double(sizeof(float)),
+                               "the face's own fine surface");
+  figure.caption = "No scan: the reference is the face's own surface of " + std::to_string(fineRows) + " × " +
+                   std::to_string(fineColumns) + " points. " + figure.caption;
+  figure.note = faceNote(state, {state.surface.scheme}) + "; measured every " + shortestText(spacing) + " mm";
   return context.drawn(figure);
 }
 

@@ -21,17 +21,16 @@ FigureDrawing drawSmile(FigureContext& context) {
   Plate plate;
   plate.columns = context.isNarrow() ? 2 : 4;
   const double width = PlatePainter::panelWidth(context.settings().width, plate.columns, 1);
-  for (const char* const view : {"front", "45"})
-    for (const FaceState& state : {neutral, smile}) {
-      SceneStyle style;
-      style.view = parseView(view);
-      const std::string face = state.deformation.table.empty() ? "Neutral" : "Deformed";
-      const std::string heading = face + (style.view.azimuth != 0.0 ? ", 45 degrees" : ", front");
-      plate.panels.push_back(context.facePanel(heading, state, style, width, shape));
-    }
+  for (const auto& [view, words] : {std::pair{"front", ", front"}, {"45", ", 45 degrees"}}) {
+    SceneStyle style;
+    style.view = parseView(view);
+    const std::vector<FigureContext::NamedFace> faces = {{std::string("Neutral") + words, neutral},
+                                                         {std::string("Deformed") + words, smile}};
+    for (const PlatePanel& panel : context.facePanels(faces, style, width, shape)) plate.panels.push_back(panel);
+  }
   const bool published = smile.deformation.table == "smile";
   plate.caption = (published ? "The published table of a smile (Table I)" : "The table " + smile.deformation.table) +
-                  std::string(" on this face, front and turned by 45 degrees.");
+                  std::string(" on this face, front and turned by 45 degrees, each pair at one scale.");
   return context.drawn(plate);
 }
 

@@ -13,11 +13,11 @@ namespace {
 
 std::string number(double value) {
   const double rounded = std::round(100.0 * value) / 100.0;
-  return QString::number(rounded == 0.0 ? 0.0 : rounded, 'f', 2).toStdString();
+  return QString::number(rounded == 0.0 ? 0.0 : rounded, 'f', 2).replace('-', "−").toStdString();
 }
 
 std::string withDeviation(const DeformationTable& table, int region, int row, int i) {
-  return number(table.maps[region].coefficients(row, i)) + "±" + number(table.deviations->at(region)(row, i));
+  return number(table.maps[region].coefficients(row, i)) + " ± " + number(table.deviations->at(region)(row, i));
 }
 
 enum Columns { Published = 1, Mean = 2 };
@@ -56,7 +56,7 @@ FigureDrawing drawSmileTable(FigureContext& context) {
     for (const int columns : panels) plate.panels.push_back(coefficientPanel(columns, row, context.innerWidth()));
   plate.caption =
       "The published smile beside Mien's own mean smile, in pupil units; ± is one standard deviation over the "
-      "subjects.";
+      "12 subjects (n = 12).";
   return context.drawn(plate);
 }
 

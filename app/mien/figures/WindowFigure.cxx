@@ -11,8 +11,12 @@ FigureDrawing drawWindow(FigureContext& context) {
   context.requireDisplay();
   Plate plate;
   plate.columns = 1;
-  plate.panels = {picturePanel("", studioPicture(context.state()))};
-  plate.caption = "Mien Studio with the face of this state.";
+  FaceState state = context.state();
+  const bool atRest = state.expressions.empty() && state.visemes.empty() && state.fapValues.empty() &&
+                      state.fapFile.empty() && state.deformation.table.empty();
+  if (atRest) state.expressions["joy"] = 1.0;  // so that the window shows what it is for
+  plate.panels = {picturePanel("", studioPicture(state))};
+  plate.caption = std::string("Mien Studio with the face ") + (atRest ? "smiling (expression joy)." : "of this state.");
   return context.drawn(plate);
 }
 

@@ -39,10 +39,20 @@ int parseWholeNumber(const std::string& option, const std::string& text) {
 }
 
 double parseMillimetres(const std::string& option, const std::string& text) {
-  const bool hasUnit = text.size() > 2 && text.compare(text.size() - 2, 2, "mm") == 0;
-  const double value = parseNumber(option, hasUnit ? text.substr(0, text.size() - 2) : text);
+  static const std::pair<const char*, double> units[] = {{"mm", 1.0}, {"cm", 10.0}, {"in", 25.4}, {"pt", 25.4 / 72.0}};
+  double factor = 1.0;
+  std::string number = text;
+  for (const auto& [unit, millimetres] : units)
+    if (text.size() > 2 && text.compare(text.size() - 2, 2, unit) == 0) {
+      factor = millimetres;
+      number.resize(text.size() - 2);
+    }
+  double value = 0.0;
+  if (!parse(number, value) || !std::isfinite(value))
+    throw ValueFailure(option + " '" + text +
+                       "' is no length; write a number in mm such as 85, or with mm, cm, in or pt");
   if (!(value > 0.0)) throw ValueFailure(option + " '" + text + "' is not above 0; write it as 0.1mm");
-  return value;
+  return factor * value;
 }
 
 std::vector<std::string> splitText(const std::string& text, char separator) {

@@ -41,7 +41,7 @@ void FaceOptions::addSurfaceOptions(CLI::App& command) {
       "Smoothing parameter a, 0 < a <= 1000: one value, or nine with commas [1]");
   add(std::string(faceOption::harmonics) + ",--harmonics", harmonics_, "Fourier modes solved exactly, 0 .. K/2 [5]");
   command.add_flag(faceOption::noRemainder, noRemainder_, "Leave out the harmonics above N")->group("Face");
-  add(faceOption::resolution, resolution_, "Rows x columns of the uv mesh [56x40; shaded pictures 164x160]");
+  add(faceOption::resolution, resolution_, resolutionHelp());
   command.add_flag(faceOption::uniformRows, uniformRows_, "Rows at equal u, not dealt to the curves")->group("Face");
   add(faceOption::derivativeStrength, derivativeStrength_, "Factor on derivative conditions [1]");
   add(faceOption::precision, precision_, "single or double [single]");
@@ -99,6 +99,13 @@ void FaceOptions::addTextureOptions(CLI::App& command) {
 void FaceOptions::addAll(CLI::App& command) {
   addSurfaceOptions(command);
   addAnimationOptions(command);
+}
+
+std::string FaceOptions::resolutionHelp() const {
+  const FaceState usual;
+  const std::string size = std::to_string(defaultRows_) + "x" + std::to_string(defaultColumns_);
+  const bool isUsual = defaultRows_ == usual.rows && defaultColumns_ == usual.columns;
+  return "Rows x columns of the uv mesh [" + size + (isUsual ? "; shaded pictures 164x160]" : "]");
 }
 
 void FaceOptions::setDefaultResolution(int rows, int columns) {

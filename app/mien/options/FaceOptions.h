@@ -39,6 +39,9 @@ class FaceOptions {
   /// The resolution when none is given. Default: that of FaceState.
   void setDefaultResolution(int rows, int columns);
 
+  /// Whether a resolution was given.
+  bool hasResolution() const { return !resolution_.empty(); }
+
   /// What the options say. Throws a ValueFailure for text that is no value of its option.
   FaceState state() const;
 
@@ -50,6 +53,7 @@ class FaceOptions {
 
  private:
   FaceState start() const;
+  std::string resolutionHelp() const;
   void fillSurface(FaceState& state) const;
   void fillGrid(FaceState& state) const;
   void fillFrame(FaceState& state) const;

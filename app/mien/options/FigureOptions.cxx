@@ -24,14 +24,14 @@ std::string themeNames() {
 
 }  // namespace
 
-void requireRange(const std::string& option, double value, double least, double most) {
+void requireRange(const std::string& option, double value, double least, double most, const std::string& unit) {
   if (value >= least && value <= most) return;
   const auto text = [](double number) { return std::to_string(static_cast<int>(number)); };
-  throw ValueFailure(option + " is outside " + text(least) + " .. " + text(most));
+  throw ValueFailure(option + " is outside " + text(least) + " .. " + text(most) + (unit.empty() ? "" : " " + unit));
 }
 
 void FigureOptions::addTo(CLI::App& command, const std::string& group) {
-  command.add_option("--width", width_, "Of the figure, mm: 85 for one column, 170 for two")
+  command.add_option("--width", width_, "Of the figure, mm (or with cm, in, pt): 85 for one column, 170 for two")
       ->capture_default_str()
       ->group(group);
   command.add_option("--theme", theme_, "Of the figure: " + themeNames())->capture_default_str()->group(group);
@@ -50,7 +50,7 @@ double FigureOptions::dotsPerInch() const {
 void FigureOptions::check() const {
   if (!FigureTheme::find(theme_))
     throw ValueFailure("--theme '" + theme_ + "' is unknown; the known ones are " + themeNames());
-  requireRange("--width", width(), leastWidth, mostWidth);
+  requireRange("--width", width(), leastWidth, mostWidth, "mm");
   requireRange("--dpi", dotsPerInch(), FigureFile::leastDotsPerInch, FigureFile::mostDotsPerInch);
   if (!font_.empty()) requireFont("--font", font_);
   setFigureFontFamily(QString::fromStdString(font_));

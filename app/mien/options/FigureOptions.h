@@ -40,6 +40,6 @@ class FigureOptions {
 };
 
 /// Throws a ValueFailure when an option's value is outside the whole numbers least .. most.
-void requireRange(const std::string& option, double value, double least, double most);
+void requireRange(const std::string& option, double value, double least, double most, const std::string& unit = {});
 
 }  // namespace mien

@@ -18,6 +18,7 @@
 #include "FoldedCells.h"
 #include "LargestSeamAngle.h"
 #include "SurfaceDeparture.h"
+#include "TurnedArea.h"
 #include "WillmoreEnergy.h"
 
 namespace mien {
@@ -35,6 +36,7 @@ struct Subject {
   const SmoothingSweepOptions& sweep;
   const FaceSurfaceOptions& options;
   const FaceSample& sample;
+  const FaceSample& upright;  ///< of the same scheme, where a does not show
   SurfaceDeparture departure;
   FoldedCells folds;
 };
@@ -59,6 +61,7 @@ const Measure measures[] = {
     {"g1_max_deg", [](const Subject& s) { return largestSeamAngle(s.sample); }},
     {"folded_cells", [](const Subject& s) { return static_cast<double>(s.folds.count()); }},
     {"folded_cells_on_seams", [](const Subject& s) { return static_cast<double>(s.folds.countOnSeams()); }},
+    {"turned_area_share", [](const Subject& s) { return turnedAreaShare(s.sample, s.upright); }},
     {"willmore_energy", [](const Subject& s) { return willmoreEnergy(s.sample); }},
     {"box_ratio", [](const Subject& s) { return boxRatio(s.sample, s.face.curves); }},
     {"distance_rms_mm", [](const Subject& s) { return s.sweep.distance ? s.sweep.distance(s.sample) : undefined; }},
@@ -84,16 +87,33 @@ struct Attempt {
   }
 };
 
-SweepRecord measure(const FaceCurves& face, const SmoothingSweepOptions& sweep, const Attempt& reference,
+/// What the surfaces of one scheme are compared with.
+struct Origins {
+  Attempt reference, upright;
+
+  Origins(const FaceCurves& face, const SmoothingSweepOptions& sweep, const std::string& scheme)
+      : reference(face, optionsOf(sweep, scheme, sweep.reference), sweep),
+        upright(face, optionsOf(sweep, scheme, SmoothingSweepOptions::uprightSmoothing), sweep) {}
+};
+
+SweepRecord measure(const FaceCurves& face, const SmoothingSweepOptions& sweep, const Origins& origins,
                     const std::string& scheme, double smoothing) {
   SweepRecord record = {scheme, smoothing, std::vector<double>(std::size(measures), undefined), {}};
   const FaceSurfaceOptions options = optionsOf(sweep, scheme, smoothing);
   const Attempt attempt(face, options, sweep);
   record.reason = attempt.reason;
   if (!attempt.reason.empty()) return record;
-  const FaceSample& origin = reference.reason.empty() ? *reference.sample : *attempt.sample;
-  const Subject subject = {
-      face, sweep, options, *attempt.sample, {*attempt.sample, origin}, FoldedCells(*attempt.sample)};
+  const auto sampleOr = [&](const Attempt& other) -> const FaceSample& {
+    return other.reason.empty() ? *other.sample : *attempt.sample;
+  };
+  const FaceSample& sample = *attempt.sample;
+  const Subject subject = {face,
+                           sweep,
+                           options,
+                           sample,
+                           sampleOr(origins.upright),
+                           {sample, sampleOr(origins.reference)},
+                           FoldedCells(sample)};
   for (size_t i = 0; i < std::size(measures); ++i) record.values[i] = measures[i].value(subject);
   return record;
 }
@@ -103,8 +123,7 @@ class Work {
  public:
   Work(const FaceCurves& face, const SmoothingSweepOptions& sweep)
       : face_(face), sweep_(sweep), records_(sweep.schemes.size() * sweep.smoothing.size()) {
-    for (const std::string& scheme : sweep.schemes)
-      references_.push_back(std::make_unique<Attempt>(face, optionsOf(sweep, scheme, sweep.reference), sweep));
+    for (const std::string& scheme : sweep.schemes) origins_.push_back(std::make_unique<Origins>(face, sweep, scheme));
   }
 
   /// Takes records until none is left; `goOn` is asked after each.
@@ -112,7 +131,7 @@ class Work {
   void run(const Function& goOn) {
     for (size_t i = next_++; i < records_.size() && !cancelled_; i = next_++) {
       const size_t scheme = i / sweep_.smoothing.size();
-      records_[i] = measure(face_, sweep_, *references_[scheme], sweep_.schemes[scheme],
+      records_[i] = measure(face_, sweep_, *origins_[scheme], sweep_.schemes[scheme],
                             sweep_.smoothing[i % sweep_.smoothing.size()]);
       ++done_;
       finished_.notify_one();
@@ -168,7 +187,7 @@ class Work {
 
   const FaceCurves& face_;
   const SmoothingSweepOptions& sweep_;
-  std::vector<std::unique_ptr<Attempt>> references_;
+  std::vector<std::unique_ptr<Origins>> origins_;
   std::vector<SweepRecord> records_;
   std::atomic<size_t> next_{0}, done_{0};
   std::atomic<bool> cancelled_{false};
@@ -213,6 +232,10 @@ int sweepMeasure(const std::string& name) {
   const auto& names = sweepMeasureNames();
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+double sweepValue(const SweepRecord& record, const std::string& measure) {
+  return record.values[sweepMeasure(measure)];
 }
 
 std::string describeFault(const SmoothingSweepOptions& sweep, int pointsPerCurve) {

@@ -13,6 +13,9 @@ namespace mien {
 
 /// What a sweep over the smoothing parameter a measures, and on what.
 struct SmoothingSweepOptions {
+  /// At this a every scheme is near its limit for a -> 0: what a surface is turned against.
+  static constexpr double uprightSmoothing = 0.1;
+
   FaceSurfaceOptions surface;        ///< all but scheme and smoothing
   std::vector<std::string> schemes;  ///< names as in faceSchemes()
   std::vector<double> smoothing;     ///< the values of a, the same for all patches
@@ -38,6 +41,9 @@ const std::vector<std::string>& sweepMeasureNames();
 
 /// Position of a measure's name, or -1.
 int sweepMeasure(const std::string& name);
+
+/// A measure of a record by its name, which must be one of them.
+double sweepValue(const SweepRecord& record, const std::string& measure);
 
 /// One sentence that says which option is out of range, or nothing. A value of a that a scheme refuses is no fault but
 /// a record with its reason.

@@ -6,23 +6,21 @@ namespace mien {
 
 namespace {
 
-double valueOf(const SweepRecord& record, const char* measure) {
-  return record.values[sweepMeasure(measure)];
-}
-
 /// Why a surface is no face, or nothing.
-std::string breakdownOf(const SweepRecord& record, int cells) {
+std::string breakdownOf(const SweepRecord& record) {
   if (!record.reason.empty()) return record.reason;
-  if (!(valueOf(record, "box_ratio") <= SweepBreakdown::largestBoxRatio))
-    return "the surface leaves the curves' bounding box";
-  if (!(valueOf(record, "folded_cells") <= SweepBreakdown::largestFoldedShare * cells)) return "the surface folds";
-  return {};
+  return SweepBreakdown::reasonOf(sweepValue(record, "box_ratio"), sweepValue(record, "turned_area_share"));
 }
 
 }  // namespace
 
-std::vector<SweepBreakdown> findBreakdowns(const std::vector<SweepRecord>& records, int rows, int columns) {
-  const int cells = (rows - 1) * columns;
+std::string SweepBreakdown::reasonOf(double boxRatio, double turnedShare) {
+  if (!(boxRatio <= largestBoxRatio)) return "the surface leaves the curves' bounding box";
+  if (!(turnedShare <= largestTurnedShare)) return "the surface folds over";
+  return {};
+}
+
+std::vector<SweepBreakdown> findBreakdowns(const std::vector<SweepRecord>& records) {
   std::vector<SweepBreakdown> breakdowns;
   for (const SweepRecord& record : records) {
     auto found =
@@ -31,7 +29,7 @@ std::vector<SweepBreakdown> findBreakdowns(const std::vector<SweepRecord>& recor
       breakdowns.push_back({record.scheme, false, 0.0, {}});
       found = breakdowns.end() - 1;
     }
-    const std::string reason = breakdownOf(record, cells);
+    const std::string reason = breakdownOf(record);
     if (!reason.empty() && (!found->found || record.smoothing < found->smoothing))
       *found = {record.scheme, true, record.smoothing, reason};
   }

@@ -20,7 +20,7 @@ DepthMovement::DepthMovement(const NormalisedPoints& before, const NormalisedPoi
   for (std::size_t i = 0; i < before.points.size(); ++i) {
     const DeformationPoint& point = before.points[i];
     const Eigen::Vector3d place = before.pupils.apply(point.position);
-    if (coverageOf(map, place, point) < 1.0) continue;
+    if (!isFitted(map, place, point)) continue;
     const double depth = after.pupils.apply(after.points[i].position).z() - place.z();
     const int region = map.nearest(place.head<2>(), point.side) - 1;
     sums[region] += depth * depth;

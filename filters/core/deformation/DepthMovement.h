@@ -13,7 +13,8 @@ struct NormalisedPoints {
   const PupilNormalisation& pupils;
 };
 
-/// Root mean square of the movement in depth (z) of points that tables move wholly, pupil units: what no table carries.
+/// Root mean square of the movement in depth (z) of points that tables are fitted to, pupil units: what no table
+/// carries.
 struct DepthMovement {
   std::array<double, FacialRegions::count> regions{};  ///< of each; 0 without points
   double all = 0.0;

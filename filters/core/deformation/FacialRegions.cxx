@@ -11,6 +11,7 @@ namespace mien {
 namespace {
 
 constexpr int knownVersion = 1;
+constexpr double rounding = 0.1;  // of the corner where places beyond the outline stop moving outwards, of its size
 
 double finite(const Json& json, const char* key, double smallest, double largest) {
   const double value = json.at(key).get<double>();
@@ -36,6 +37,7 @@ FacialRegions::Slit slit(const Json& json) {
   FacialRegions::Slit result;
   result.reach = finite(json, "reach", 1e-3, 10.0);
   result.separation = finite(json, "separation", 0.0, 10.0);
+  if (json.contains("aside")) result.aside = finite(json, "aside", 0.0, 10.0);
   for (const auto& [key, side] : {std::pair("upper", 1.0), {"lower", -1.0}})
     for (const int region : json.at(key).get<std::vector<int>>()) {
       if (region < 1 || region > FacialRegions::count) refuse("region numbers run from 1 to 16");
@@ -62,9 +64,17 @@ struct FacialRegions::Reader {
  private:
   static void readOutline(const Json& outline, FacialRegions& parsed) {
     parsed.outlineCentre_ = pair(outline, "centre");
-    parsed.outlineRadii_ = pair(outline, "radii");
-    if (parsed.outlineRadii_.minCoeff() <= 0.0) refuse("radii must be positive");
-    parsed.outlineExponent_ = finite(outline, "exponent", 1.0, 20.0);
+    const Eigen::Vector2d radii = pair(outline, "radii");
+    if (radii.minCoeff() <= 0.0) refuse("radii must be positive");
+    parsed.outlineAside_ = radii.x();
+    parsed.above_ = {radii.y(), finite(outline, "exponent", 1.0, 20.0)};
+    parsed.below_ = parsed.above_;
+    if (outline.contains("below"))
+      within("below", [&] {
+        const Json& below = outline.at("below");
+        parsed.below_ = {finite(below, "radius", 1e-3, 100.0), finite(below, "exponent", 1.0, 20.0)};
+      });
+    if (outline.contains("begin")) parsed.outlineBegin_ = finite(outline, "begin", 1e-3, 10.0);
     parsed.outlineFade_ = finite(outline, "fade", 1e-3, 10.0);
   }
 
@@ -98,10 +108,12 @@ std::string FacialRegions::parse(const std::string& text, int* faultLine) {
 }
 
 FacialRegions::Weights FacialRegions::distances(const Eigen::Vector2d& point, const FaceSide& side) const {
+  const auto further = [](const Slit& slit, int i, double on) {
+    return slit.sides[i] == 0.0 ? slit.aside * std::abs(on) : slit.separation * std::max(-slit.sides[i] * on, 0.0);
+  };
   Weights result;
   for (int i = 0; i < count; ++i)
-    result[i] = (centres_[i] - point).norm() + lips_.separation * std::max(-lips_.sides[i] * side.lips, 0.0) +
-                lids_.separation * std::max(-lids_.sides[i] * side.lids, 0.0);
+    result[i] = (centres_[i] - point).norm() + further(lips_, i, side.lips) + further(lids_, i, side.lids);
   return result;
 }
 
@@ -119,10 +131,24 @@ FacialRegions::Weights FacialRegions::weights(const Eigen::Vector2d& point, cons
   return result;
 }
 
+double FacialRegions::outlineRadius(const Eigen::Vector2d& point) const {
+  const Eigen::Vector2d offset = point - outlineCentre_;
+  const HalfOutline& half = offset.y() < 0.0 ? below_ : above_;
+  return std::pow(std::pow(std::abs(offset.x()) / outlineAside_, half.exponent) +
+                      std::pow(std::abs(offset.y()) / half.radius, half.exponent),
+                  1.0 / half.exponent);
+}
+
 double FacialRegions::outlineWeight(const Eigen::Vector2d& point) const {
-  const Eigen::Array2d ratio = ((point - outlineCentre_).array() / outlineRadii_.array()).abs();
-  const double radius = std::pow(ratio.pow(outlineExponent_).sum(), 1.0 / outlineExponent_);
-  return smoothStep(1.0 - (radius - 1.0) / outlineFade_);
+  return smoothStep(1.0 - (this->outlineRadius(point) - outlineBegin_) / outlineFade_);
+}
+
+Eigen::Vector2d FacialRegions::followed(const Eigen::Vector2d& point) const {
+  const double radius = this->outlineRadius(point), beyond = radius - (1.0 - rounding);
+  if (beyond <= 0.0) return point;
+  // A parabola from slope 1 at 1 - rounding to slope 0 at 1 + rounding.
+  const double kept = beyond < 2.0 * rounding ? radius - beyond * beyond / (4.0 * rounding) : 1.0;
+  return outlineCentre_ + kept / radius * (point - outlineCentre_);
 }
 
 double FacialRegions::depthWeight(double z) const {

@@ -20,8 +20,9 @@ struct FaceSide {
 /// Hard regions are those of the nearest centre. Smooth weights are a partition of unity that equals the hard regions
 /// further than half the blending width from a border. Upper and lower lips (lids) meet at one (x, y), so they are told
 /// apart by their side: on the upper side the regions of the lower lip count as further away by the slit's separation
-/// times the side, and the other way round. Weights are continuous wherever sides are, which is everywhere but across a
-/// slit.
+/// times the side, and the other way round; regions of both sides count as further away by the slit's aside times the
+/// side, as one map cannot follow two lips that part. Weights are continuous wherever sides are, which is everywhere
+/// but across a slit.
 class FacialRegions {
  public:
   static constexpr int count = DeformationTable::regionCount;
@@ -30,6 +31,7 @@ class FacialRegions {
   /// Lips or lids: what belongs to one side only.
   struct Slit {
     double reach = 0.0, separation = 0.0;  ///< pupil units
+    double aside = 0.0;                    ///< how much further away regions of both sides count beside it, pupil units
     std::array<double, count> sides{};     ///< of each region: 1 upper, -1 lower, 0 both
   };
 
@@ -55,8 +57,15 @@ class FacialRegions {
   double lipReach() const { return lips_.reach; }
   double lidReach() const { return lids_.reach; }
 
-  /// 1 where tables are fitted, 0 beyond the face's outline, smooth between.
+  /// Whether a point lies within the face's outline, where tables are fitted.
+  bool covers(const Eigen::Vector2d& point) const { return this->outlineRadius(point) <= 1.0; }
+
+  /// 1 on the face, 0 far beyond its outline, smooth between.
   double outlineWeight(const Eigen::Vector2d& point) const;
+
+  /// The place whose movement a point follows: itself on the face, and beyond the outline the place on it in the
+  /// direction of the outline's centre, because quadratics run away from the points they were fitted to. Smooth.
+  Eigen::Vector2d followed(const Eigen::Vector2d& point) const;
 
   /// 1 on the face, 0 behind it, where the ears are: z in pupil units, smooth between.
   double depthWeight(double z) const;
@@ -66,6 +75,14 @@ class FacialRegions {
 
  private:
   struct Reader;
+
+  /// Half a superellipse about the outline's centre.
+  struct HalfOutline {
+    double radius = 0.0, exponent = 0.0;  ///< along y
+  };
+
+  /// 0 at the outline's centre, 1 on it.
+  double outlineRadius(const Eigen::Vector2d& point) const;
   Weights distances(const Eigen::Vector2d& point, const FaceSide& side) const;
 
   int version_ = 0;
@@ -73,8 +90,10 @@ class FacialRegions {
   std::array<Eigen::Vector2d, count> centres_;
   std::array<int, count> mirrored_{};
   double blend_ = 0.0;
-  Eigen::Vector2d outlineCentre_, outlineRadii_;
-  double outlineExponent_ = 0.0, outlineFade_ = 0.0;
+  Eigen::Vector2d outlineCentre_;
+  double outlineAside_ = 0.0;  ///< its radius along x
+  HalfOutline above_, below_;  ///< of its centre
+  double outlineBegin_ = 1.0, outlineFade_ = 0.0;
   Slit lips_, lids_;
   std::array<double, 2> depthRange_{};
 };

@@ -198,20 +198,21 @@ double packingError(const DeformationTable& table, int bits, double reach) {
 }
 
 double packingError(const DeformationTable& table, int bits, const FacialRegions& regions) {
-  constexpr double step = 0.05, aside = 4.0, below = -5.5, above = 4.0;  // pupil units, beyond any face's outline
+  constexpr double step = 0.05, aside = 4.0, below = -6.0, above = 4.0;  // pupil units, beyond any face's outline
   const std::array<float, 3> steps = Local(table).steps(bits);
   double largest = 0.0;
   for (double y = below; y <= above; y += step)
     for (double x = -aside; x <= aside; x += step) {
       const Eigen::Vector2d point(x, y);
       const double coverage = regions.outlineWeight(point);
+      const Eigen::Vector2d followed = regions.followed(point);
       for (const double side : {-1.0, 0.0, 1.0}) {
         if (coverage == 0.0) continue;
         const FacialRegions::Weights weights = regions.weights(point, {side, 0.0});
         double error = 0.0;
         for (int i = 0; i < regionCount; ++i)
           if (weights[i] > 0.0)
-            error += weights[i] * errorAt(steps, (point - Eigen::Vector2d(centres[i][0], centres[i][1])).norm());
+            error += weights[i] * errorAt(steps, (followed - Eigen::Vector2d(centres[i][0], centres[i][1])).norm());
         largest = std::max(largest, coverage * error);
       }
     }

@@ -22,6 +22,10 @@ double coverageOf(const FacialRegions& regions, const Eigen::Vector3d& place, co
   return point.stays ? 0.0 : regions.outlineWeight(place.head<2>()) * regions.depthWeight(place.z());
 }
 
+bool isFitted(const FacialRegions& regions, const Eigen::Vector3d& place, const DeformationPoint& point) {
+  return !point.stays && regions.covers(place.head<2>()) && regions.depthWeight(place.z()) == 1.0;
+}
+
 TableDeformation::TableDeformation(const std::vector<DeformationPoint>& points, const PupilNormalisation& pupils,
                                    const FacialRegions& regions, bool smooth, const Progress& progress) {
   const Eigen::Vector3d origin = pupils.invert(Eigen::Vector3d::Zero());
@@ -32,15 +36,16 @@ TableDeformation::TableDeformation(const std::vector<DeformationPoint>& points, 
   for (const DeformationPoint& point : points) {
     if (places_.size() % pointsBetweenReports == 0 && !goesOn(progress, double(places_.size()) / points.size())) return;
     const Eigen::Vector3d p = pupils.apply(point.position);
-    Place place{p.head<2>(), coverageOf(regions, p, point), static_cast<std::uint32_t>(shares_.size()), 0};
+    const Eigen::Vector2d at = p.head<2>();
+    Place place{regions.followed(at), coverageOf(regions, p, point), static_cast<std::uint32_t>(shares_.size()), 0};
     if (place.coverage > 0.0 && point.region) {
-      addShare(regions, place.point, point.region, 1.0);
+      addShare(regions, at, point.region, 1.0);
     } else if (place.coverage > 0.0 && smooth) {
-      const FacialRegions::Weights weights = regions.weights(place.point, point.side);
+      const FacialRegions::Weights weights = regions.weights(at, point.side);
       for (int i = 0; i < FacialRegions::count; ++i)
-        if (weights[i] > 0.0) addShare(regions, place.point, i + 1, weights[i]);
+        if (weights[i] > 0.0) addShare(regions, at, i + 1, weights[i]);
     } else if (place.coverage > 0.0) {
-      addShare(regions, place.point, regions.nearest(place.point, point.side), 1.0);
+      addShare(regions, at, regions.nearest(at, point.side), 1.0);
     }
     place.count = static_cast<std::uint32_t>(shares_.size()) - place.first;
     places_.push_back(place);

@@ -21,13 +21,16 @@ struct DeformationPoint {
 /// behind it (ears, neck) and for points that stay.
 double coverageOf(const FacialRegions& regions, const Eigen::Vector3d& place, const DeformationPoint& point);
 
+/// Whether tables are fitted to a point: within the face's outline and not behind it, nor one that stays.
+bool isFitted(const FacialRegions& regions, const Eigen::Vector3d& place, const DeformationPoint& point);
+
 /// Moves the points of one face by tables; the weights of the regions are computed once.
 ///
-/// p' = p + strength c(p) sum_r w_r(p) (M_r(p) - p), with weights w of FacialRegions and c fading to 0 outside the
-/// fitted points. The length of the sum is limited to 1.5 times the largest fitted displacement, because quadratics run
-/// away where they were not fitted. A table that does not say what it was fitted to (largestDisplacement 0) is believed
-/// within 0.6 of a region's centre and 1.2 of the midline, and fades to nothing at 1.1 and 2. z is carried along
-/// unchanged.
+/// p' = p + strength c(p) sum_r w_r(p) (M_r(q) - q), with weights w of FacialRegions, c fading to 0 outside the
+/// fitted points, and q = p but for points beyond the outline, which follow it (FacialRegions::followed). The length of
+/// the sum is limited to 1.5 times the largest fitted displacement, because quadratics run away where they were not
+/// fitted. A table that does not say what it was fitted to (largestDisplacement 0) is believed within 0.6 of a region's
+/// centre and 1.2 of the midline, and fades to nothing at 1.1 and 2. z is carried along unchanged.
 class TableDeformation {
  public:
   static constexpr double displacementLimit = 1.5;
@@ -45,7 +48,7 @@ class TableDeformation {
 
  private:
   struct Place {
-    Eigen::Vector2d point;  ///< pupil units
+    Eigen::Vector2d point;  ///< whose movement it follows, pupil units
     double coverage;
     std::uint32_t first;  ///< of its shares
     std::uint32_t count;

@@ -82,8 +82,12 @@ SurfaceJet FaceSample::jet(int row, int column) const {
   return jet;
 }
 
+Eigen::Vector3d FaceSample::areaVector(int row, int column) const {
+  return vectorOf(grids_[1], row, column).cross(vectorOf(grids_[2], row, column));
+}
+
 double FaceSample::areaElement(int row, int column) const {
-  return vectorOf(grids_[1], row, column).cross(vectorOf(grids_[2], row, column)).norm();
+  return areaVector(row, column).norm();
 }
 
 }  // namespace mien

@@ -39,7 +39,9 @@ class FaceSample {
   SurfaceJet jet(int row, int column) const;
   Eigen::Vector3d point(int row, int column) const { return vectorOf(grids_[0], row, column % columns_); }
 
-  /// |S_u x S_v|, mm2 per unit of u and radian.
+  /// S_u x S_v, along the normal; its length in mm2 per unit of u and radian.
+  Eigen::Vector3d areaVector(int row, int column) const;
+  /// |S_u x S_v|.
   double areaElement(int row, int column) const;
 
   const MouthCorners& mouth() const { return mouth_; }

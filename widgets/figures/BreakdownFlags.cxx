@@ -1,0 +1,53 @@
+#include "BreakdownFlags.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <array>
+
+#include "ChartPainter.h"
+#include "SeriesStyle.h"
+
+namespace mien {
+
+namespace {
+
+constexpr int levels = 3;
+constexpr double lowest = 3.6, step = 4.8,
+                 room = 2.4;                        // pt: of the markers' middles above the plot, and above the last
+constexpr double apart = 5.2;                       // pt, between markers at one height
+constexpr double stemDepth = 2.0, stemWidth = 0.5;  // pt
+
+double points(double number) {
+  return figureUnitsFromPoints(number);
+}
+
+}  // namespace
+
+double BreakdownFlags::height(const Chart& chart) {
+  const bool any = std::any_of(chart.series.begin(), chart.series.end(),
+                               [](const ChartSeries& series) { return series.breakdown.has_value(); });
+  return any ? points(lowest + (levels - 1) * step + room) : 0.0;
+}
+
+void BreakdownFlags::paint(QPainter& painter, const QRectF& plot, const AxisScale& x) const {
+  std::vector<std::pair<double, std::size_t>> flags;
+  for (std::size_t i = 0; i < chart_.series.size(); ++i)
+    if (chart_.series[i].breakdown)
+      flags.emplace_back(plot.left() + x.fraction(*chart_.series[i].breakdown) * plot.width(), i);
+  std::sort(flags.begin(), flags.end());
+  std::array<double, levels> ends;
+  ends.fill(-1e9);
+  for (const auto& [at, series] : flags) {
+    if (at < plot.left() - 1.0 || at > plot.right() + 1.0) continue;
+    const auto free = std::find_if(ends.begin(), ends.end(), [&](double end) { return at - end >= points(apart); });
+    const auto level = free != ends.end() ? free : std::min_element(ends.begin(), ends.end());
+    *level = at;
+    const SeriesStyle style(theme_, ChartPainter::styleOf(chart_, series));
+    const QPointF middle(at, plot.top() - points(lowest + step * static_cast<double>(level - ends.begin())));
+    painter.setPen(QPen(style.color(), points(stemWidth)));
+    painter.drawLine(middle, QPointF(at, plot.top() + points(stemDepth)));
+    style.drawMarker(painter, middle);
+  }
+}
+
+}  // namespace mien

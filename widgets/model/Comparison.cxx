@@ -1,0 +1,295 @@
+#include "Comparison.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkDoubleArray.h>
+#include <vtkMotionVectorFilter.h>
+#include <vtkPointData.h>
+#include <vtkPolyDataNormals.h>
+#include <vtkSurfaceDistanceFilter.h>
+
+#include <QFileInfo>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "BackgroundTask.h"
+#include "FaceModel.h"
+#include "FaceScheme.h"
+#include "FaceStateJson.h"
+#include "FilterProgress.h"
+#include "MeshReading.h"
+#include "PipelineErrors.h"
+#include "SurfaceDistance.h"
+#include "SurfaceMesh.h"
+
+namespace mien {
+
+namespace {
+
+using json = nlohmann::json;
+
+constexpr const char* kindNames[] = {"none", "state", "scheme", "mesh"};
+
+QString wayText(const QString& way, const DistanceSummary& summary) {
+  return Comparison::tr("%1: RMS %2, 95 % below %3, largest %4 mm")
+      .arg(way)
+      .arg(summary.rms, 0, 'f', 2)
+      .arg(summary.percentile95, 0, 'f', 2)
+      .arg(summary.maximum, 0, 'f', 2);
+}
+
+/// Copies a surface and gives it an array under another name.
+vtkSmartPointer<vtkPolyData> withArrays(vtkPolyData* surface, vtkDataArray* distances, vtkDataArray* vectors) {
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(surface);
+  const std::pair<const char*, vtkDataArray*> arrays[] = {{"Distance", distances}, {"DistanceVector", vectors}};
+  for (const auto& [name, array] : arrays) {
+    vtkNew<vtkDoubleArray> named;
+    named->ShallowCopy(array);
+    named->SetName(name);
+    copy->GetPointData()->AddArray(named);
+  }
+  return copy;
+}
+
+/// A scan without normals would look like a cut stone.
+vtkSmartPointer<vtkPolyData> withNormals(const vtkSmartPointer<vtkPolyData>& surface) {
+  if (surface->GetPointData()->GetNormals()) return surface;
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
+DistanceSummary summaryOf(vtkPolyData* surface) {
+  vtkDataArray* array = surface->GetPointData()->GetArray("Distance");
+  if (!array) return {};  // of work that was cancelled
+  std::vector<double> distances(array->GetNumberOfTuples());
+  for (size_t i = 0; i < distances.size(); ++i) distances[i] = array->GetComponent(i, 0);
+  const std::vector<double> areas = pointAreas(trianglesOf(surface));
+  return summarize(distances, areas, [&](size_t i) { return areas[i] > 0.0; });
+}
+
+}  // namespace
+
+struct Comparison::Distances {
+  Surfaces surfaces;
+  std::array<DistanceSummary, 2> summaries;
+  std::string fault;
+};
+
+Comparison::Comparison(FaceModel* model, QObject* parent)
+    : QObject(parent), model_(model), task_(new BackgroundTask(this)) {
+  setObjectName("comparison");
+  connect(model_, &FaceModel::updated, this, &Comparison::follow);
+}
+
+Comparison::~Comparison() {
+  delete task_;
+}
+
+FaceModel* Comparison::other() {
+  if (other_) return other_;
+  other_ = new FaceModel(this);
+  connect(other_, &FaceModel::failed, model_, &FaceModel::failed);
+  return other_;
+}
+
+vtkPolyData* Comparison::mesh() const {
+  return kind_ == Kind::Mesh ? mesh_.Get() : nullptr;
+}
+
+vtkPolyData* Comparison::surface(Side side) const {
+  return measured_[static_cast<int>(side)];
+}
+
+QString Comparison::name() const {
+  return kind_ == Kind::Scheme ? scheme_ : kind_ == Kind::Mesh ? QFileInfo(file_).fileName() : words_;
+}
+
+QString Comparison::summary(Side side) const {
+  if (!distances_) return {};
+  const QString way = corresponds_ ? tr("Point to point") : side == Side::A ? tr("A to B") : tr("B to A");
+  return wayText(way, distances_->summaries[static_cast<int>(side)]);
+}
+
+void Comparison::take(Kind kind) {
+  kind_ = kind;
+  task_->cancel();
+  measured_ = {};
+  distances_.reset();
+  follow();
+  emit changed();
+}
+
+void Comparison::pin() {
+  const std::string words = model_->motionText();
+  words_ = words.empty() ? tr("the neutral face") : QString::fromStdString(words);
+  const FaceState state = model_->lastingState();
+  other()->change([&](FaceState& pinned) { pinned = state; });
+  if (other()->update()) take(Kind::State);
+}
+
+void Comparison::pin(const FaceState& state) {
+  other()->change([&](FaceState& pinned) { pinned = state; });
+  if (!other()->update()) return;
+  const std::string words = other()->motionText();
+  words_ = words.empty() ? tr("the neutral face") : QString::fromStdString(words);
+  take(Kind::State);
+}
+
+void Comparison::compareScheme(const QString& scheme) {
+  const std::vector<FaceScheme>& known = faceSchemes();
+  const std::string name = scheme.toStdString();
+  if (std::none_of(known.begin(), known.end(), [&](const FaceScheme& one) { return one.name == name; }))
+    return emit model_->failed(tr("There is no scheme '%1' to compare with.").arg(scheme), QString());
+  scheme_ = scheme;
+  take(Kind::Scheme);
+}
+
+bool Comparison::openMesh(const QString& fileName) {
+  vtkSmartPointer<vtkDataObject> read;
+  const std::string fault = readSurfaceFile(fileName.toStdString(), read);
+  if (!fault.empty()) {
+    emit model_->failed(QString::fromStdString(fault), tr("What A is compared with stays as it was."));
+    return false;
+  }
+  mesh_ = withNormals(visibleSurface(read));
+  file_ = fileName;
+  take(Kind::Mesh);
+  return true;
+}
+
+void Comparison::swap() {
+  if (kind_ == Kind::Scheme) {
+    const QString shown = QString::fromStdString(model_->state().surface.scheme);
+    const std::string wanted = scheme_.toStdString();
+    scheme_ = shown;
+    model_->change([&](FaceState& state) { state.surface.scheme = wanted; });
+  } else if (kind_ == Kind::State) {
+    const FaceState b = other()->state();
+    pin();
+    model_->change([&](FaceState& state) { state = b; });
+  } else {
+    return;
+  }
+  model_->update();
+  emit changed();
+}
+
+void Comparison::clear() {
+  if (kind_ != Kind::None) take(Kind::None);
+}
+
+/// B is brought up to date first, so that both are of one moment.
+void Comparison::follow() {
+  if (kind_ == Kind::None) return;
+  if (kind_ == Kind::Scheme) {
+    FaceState state = model_->lastingState();
+    state.surface.scheme = scheme_.toStdString();
+    other()->change([&](FaceState& followed) { followed = state; });
+    other()->update();
+  }
+  measure();
+}
+
+Comparison::Surfaces Comparison::present() const {
+  Surfaces surfaces;
+  const auto surfaceOf = [](const FaceModel& face) {
+    return vtkPolyData::SafeDownCast(face.pipeline().surface()->GetOutputDataObject(0));
+  };
+  surfaces[0] = surfaceOf(*model_);
+  surfaces[1] = kind_ == Kind::Mesh ? mesh_.Get() : surfaceOf(*other_);
+  return surfaces;
+}
+
+void Comparison::measure() {
+  const Surfaces surfaces = present();
+  corresponds_ = measureCounterparts(surfaces);
+  if (!corresponds_) measureNearest(surfaces);
+}
+
+/// Quick enough for the thread of the window. @return whether points and cells are the same
+bool Comparison::measureCounterparts(const Surfaces& surfaces) {
+  if (surfaces[0]->GetNumberOfPoints() != surfaces[1]->GetNumberOfPoints()) return false;
+  Distances distances;
+  for (int side = 0; side < 2; ++side) {
+    vtkNew<vtkMotionVectorFilter> filter;
+    PipelineErrors errors;
+    errors.observe(filter);
+    filter->SetInputData(surfaces[1 - side]);
+    filter->SetNeutralData(surfaces[side]);
+    filter->Update();
+    if (!errors.first().empty()) return false;
+    vtkPointData* data = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData();
+    distances.surfaces[side] = withArrays(surfaces[side], data->GetArray("Magnitude"), data->GetArray("MotionVector"));
+    distances.summaries[side] = summaryOf(distances.surfaces[side]);
+  }
+  deliver(distances);
+  return true;
+}
+
+/// The thread has copies: the pipelines and the views go on using their own.
+void Comparison::measureNearest(const Surfaces& surfaces) {
+  Surfaces copies;
+  for (int side = 0; side < 2; ++side) {
+    copies[side] = vtkSmartPointer<vtkPolyData>::New();
+    copies[side]->DeepCopy(surfaces[side]);
+  }
+  task_->start(
+      [this, copies](const BackgroundTask::Progress& goOn) -> std::function<void()> {
+        const auto distances = std::make_shared<Distances>();
+        vtkNew<vtkSurfaceDistanceFilter> filter;
+        PipelineErrors errors;
+        errors.observe(filter);
+        filter->SetInputData(copies[0]);
+        filter->SetReferenceData(copies[1]);
+        filter->GenerateVectorsOn();
+        updateWith(goOn, filter);
+        distances->fault = errors.first();
+        for (int side = 0; side < 2 && distances->fault.empty(); ++side) {
+          distances->surfaces[side] = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(side));
+          distances->summaries[side] = summaryOf(distances->surfaces[side]);
+        }
+        return [this, distances] { deliver(*distances); };
+      },
+      BackgroundTask::Before::Finishes);
+}
+
+void Comparison::deliver(const Distances& distances) {
+  if (kind_ == Kind::None) return;
+  if (!distances.fault.empty()) {
+    emit model_->failed(tr("A and B cannot be compared: %1").arg(QString::fromStdString(distances.fault)), name());
+    return clear();
+  }
+  measured_ = distances.surfaces;
+  distances_ = std::make_unique<Distances>(distances);
+  emit measured();
+}
+
+json Comparison::sessionState() const {
+  json state = {{"kind", kindNames[static_cast<int>(kind_)]}};
+  if (kind_ == Kind::State) state["state"] = faceStateJson(other_->state());
+  if (kind_ == Kind::Scheme) state["scheme"] = scheme_.toStdString();
+  if (kind_ == Kind::Mesh) state["file"] = file_.toStdString();
+  return state;
+}
+
+void Comparison::restoreSession(const json& state) {
+  const auto text = [&](const char* name) {
+    const auto found = state.find(name);
+    return found != state.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  const std::string kind = state.is_object() ? text("kind") : std::string();
+  if (kind == "scheme") return compareScheme(QString::fromStdString(text("scheme")));
+  if (kind == "mesh") return void(openMesh(QString::fromStdString(text("file"))));
+  if (kind != "state") return clear();
+  FaceState pinned;
+  const auto found = state.find("state");
+  const std::string fault = readFaceState(found == state.end() ? json() : *found, pinned);
+  if (fault.empty()) return pin(pinned);
+  emit model_->failed(tr("B cannot be shown: %1").arg(QString::fromStdString(fault)), QString());
+}
+
+}  // namespace mien
