@@ -12,11 +12,14 @@
 #include <random>
 
 #include "AnimationPlayer.h"
+#include "ChangeText.h"
+#include "Comparison.h"
 #include "FaceModel.h"
 #include "FaceScheme.h"
 #include "FaceStateText.h"
 #include "History.h"
 #include "StudioFixture.h"
+#include "ViewArea.h"
 #include "WidgetSettings.h"
 
 namespace {
@@ -176,6 +179,57 @@ TEST_F(History, APinIsUndoneAndRedone) {
   EXPECT_EQ(against->currentIndex(), 2);
 }
 
+TEST_F(History, AComparisonIsUndoneAndRedone) {
+  mien::Comparison* comparison = find<mien::ViewArea>("viewArea")->comparison();
+  window->model().change([](FaceState& state) { state.expressions["joy"] = 0.7; });
+  settle();
+  history().clear();
+  touch();
+  comparison->pin();
+  settle();
+  history().record();
+  EXPECT_EQ(undoText().toStdString(), "&Undo comparison");
+  const json pinned = comparison->sessionState();
+  touch();
+  comparison->compareScheme("spline");
+  settle();
+  history().record();
+  EXPECT_EQ(history().count(), 2);
+  history().undo();
+  EXPECT_EQ(comparison->sessionState(), pinned);
+  history().undo();
+  EXPECT_EQ(comparison->kind(), mien::Comparison::Kind::None);
+  EXPECT_EQ(find<QComboBox>("colorBy")->currentText().toStdString(), "Skin");
+  history().redo();
+  EXPECT_EQ(comparison->sessionState(), pinned);
+}
+
+TEST_F(History, WhatIsTypedAtOnceIsOneStep) {
+  find<QToolButton>("fapAll")->setChecked(true);
+  touch();
+  settle();
+  history().clear();
+  auto* search = find<QLineEdit>("fapSearch");
+  search->setFocus();
+  QTest::keyClicks(search, "brow");
+  settle();
+  EXPECT_EQ(history().count(), 1);
+}
+
+/// In the menu: neither its object's name nor that of a dock for all that is in it.
+TEST_F(History, EverySettingHasANameOfItsOwn) {
+  const json all = settings();
+  std::string nameless;
+  for (const auto& dock : all.items())
+    for (const auto& setting : dock.value().items()) {
+      const json change = {{"docks", {{dock.key(), {{setting.key(), 1}}}}}};
+      const QString text = mien::changeText(change, *window);
+      const bool isOwn = dock.key() == "window" ? text != "view" : text.contains(": ");
+      if (!isOwn) nameless += dock.key() + "/" + setting.key() + " ";
+    }
+  EXPECT_EQ(nameless, "");
+}
+
 TEST_F(History, OpeningAnAnimationIsUndone) {
   touch();
   ASSERT_TRUE(window->openFile(writeLids(40, 50.0)));
@@ -231,7 +285,7 @@ class Walk {
   size_t choices() const { return widgets_.size(); }
 
   void step() {
-    const int what = pick(20);
+    const int what = pick(22);
     if (what == 0) return change([](FaceState& state) { state.fapValues.clear(); });
     if (what == 1) return edit();
     if (what == 2) return window_.findChild<QToolButton*>(pick(3) ? "vectorsPin" : "deformationPin")->click();
@@ -239,6 +293,7 @@ class Walk {
     if (what == 4)
       return change([this](FaceState& state) { state.surface.smoothing[pick(9)] = 0.1 + 0.013 * pick(99); });
     if (what == 5) return window_.findChild<QPushButton*>("surfaceReset")->click();
+    if (what == 6) return compare();
     change(widgets_[pick(static_cast<int>(widgets_.size()))]);
   }
 
@@ -258,8 +313,24 @@ class Walk {
     });
   }
 
+  void compare() {
+    mien::Comparison* comparison = window_.findChild<mien::ViewArea*>("viewArea")->comparison();
+    const auto& schemes = mien::faceSchemes();
+    const int what = pick(4);
+    if (what == 0) comparison->clear();
+    if (what == 1) comparison->pin();
+    if (what == 2) comparison->compareScheme(QString::fromStdString(schemes[pick(int(schemes.size()))].name));
+    if (what == 3) comparison->swap();
+    if (auto* other = window_.findChild<QWidget*>("otherFaceView")) other->setUpdatesEnabled(false);
+  }
+
+  /// A separator cannot be chosen by hand.
+  static void choose(QComboBox* list, int row) {
+    if (!list->itemText(row).isEmpty()) list->setCurrentIndex(row);
+  }
+
   void change(QWidget* widget) {
-    if (auto* list = qobject_cast<QComboBox*>(widget)) return list->setCurrentIndex(pick(list->count()));
+    if (auto* list = qobject_cast<QComboBox*>(widget)) return choose(list, pick(list->count()));
     if (auto* whole = qobject_cast<QSpinBox*>(widget)) return whole->setValue(whole->value() + pick(9) - 4);
     if (auto* number = qobject_cast<QDoubleSpinBox*>(widget))
       return number->setValue(number->value() + 0.37 * (pick(9) - 4));

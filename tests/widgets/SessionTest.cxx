@@ -1,3 +1,7 @@
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -8,12 +12,15 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
+#include <QSplitter>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QToolButton>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "AnimationPlayer.h"
+#include "Comparison.h"
 #include "CurveFile.h"
 #include "FaceModel.h"
 #include "FaceStateText.h"
@@ -21,6 +28,7 @@
 #include "SessionDocument.h"
 #include "SessionFile.h"
 #include "StudioFixture.h"
+#include "ViewArea.h"
 #include "WidgetSettings.h"
 #include "vtkBoundaryCurveReader.h"
 
@@ -173,6 +181,57 @@ TEST_F(Session, KeepsPinsRangeRegionPlotCameraAndLayout) {
   EXPECT_EQ(json::diff(before, settings()).dump(1), "[]");
   EXPECT_TRUE(find<QDockWidget>("plotDock")->isVisible());
   EXPECT_TRUE(find<QToolButton>("deformationPin")->isChecked());
+}
+
+TEST_F(Session, KeepsEveryKindOfComparisonAndHowItIsShown) {
+  const QString mesh = file("face.vtp");
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(mesh.toUtf8().constData());
+  writer->SetInputData(surface());
+  ASSERT_TRUE(writer->Write());
+  const auto comparison = [this] { return find<mien::ViewArea>("viewArea")->comparison(); };
+  const std::function<void()> kinds[] = {[&] { comparison()->pin(); },
+                                         [&] { comparison()->compareScheme("four-curve"); },
+                                         [&] { EXPECT_TRUE(comparison()->openMesh(mesh)); }};
+  window->model().change([](FaceState& state) { state.expressions["joy"] = 0.5; });
+  for (const auto& compare : kinds) {
+    compare();
+    find<QWidget>("otherFaceView")->setUpdatesEnabled(false);
+    settle();
+    find<QComboBox>("compareArrows")->setCurrentIndex(2);
+    find<QToolButton>("compareLink")->setChecked(false);
+    find<QToolButton>("colorAutomatic")->setChecked(false);
+    find<QDoubleSpinBox>("colorEnd")->setValue(3.25);
+    settle();
+    const json before = settings();
+    ASSERT_NE(before["window"]["comparison"]["kind"], "none");
+    reopen();
+    EXPECT_EQ(json::diff(before, settings()).dump(1), "[]");
+    EXPECT_EQ(find<QDoubleSpinBox>("colorEnd")->value(), 3.25);
+  }
+}
+
+TEST_F(Session, KeepsTheWindowAndThePlacesOfItsDocks) {
+  const auto dock = [this](const char* name) { return find<QDockWidget>(name); };
+  window->resize(1500, 900);
+  find<QAction>("spectrumDockAction")->trigger();
+  find<QAction>("vectorsDockAction")->trigger();
+  window->addDockWidget(Qt::RightDockWidgetArea, dock("surfaceDock"));
+  window->tabifyDockWidget(dock("surfaceDock"), dock("vectorsDock"));
+  dock("spectrumDock")->setFloating(true);
+  dock("expressionDock")->hide();
+  find<QSplitter>("viewSplitter")->setSizes({700, 200});
+  settle();
+  const QSize size = window->size();  // docks may need more
+  const QList<int> sizes = find<QSplitter>("viewSplitter")->sizes();
+  reopen();
+  EXPECT_EQ(window->size(), size);
+  EXPECT_EQ(window->dockWidgetArea(dock("surfaceDock")), Qt::RightDockWidgetArea);
+  EXPECT_EQ(window->tabifiedDockWidgets(dock("surfaceDock")), QList<QDockWidget*>{dock("vectorsDock")});
+  EXPECT_TRUE(dock("spectrumDock")->isFloating());
+  EXPECT_TRUE(dock("spectrumDock")->isVisible());
+  EXPECT_FALSE(dock("expressionDock")->isVisible());
+  EXPECT_NEAR(find<QSplitter>("viewSplitter")->sizes()[0], sizes[0], 2);
 }
 
 TEST_F(Session, StartsWithFormatAndVersion) {

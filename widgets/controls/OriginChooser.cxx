@@ -38,6 +38,7 @@ OriginChooser::OriginChooser(FaceModel* model, QWidget* parent)
     : QWidget(parent), model_(model), choice_(new QComboBox(this)), unpin_(new QToolButton(this)) {
   setObjectName("vectorsPins");
   choice_->setObjectName("vectorsAgainst");
+  choice_->setAccessibleName(tr("Against"));
   choice_->addItems({tr("Neutral face"), tr("Frame before")});
   choice_->setToolTip(
       tr("Where the vectors start: the neutral face, the frame before of the animation, or a state that was pinned"));

@@ -26,6 +26,7 @@ class OriginChooser : public QWidget, public SessionPart {
   QString originName() const;  ///< "the neutral face", "frame 100 of talk.fap, joy"
 
   nlohmann::json sessionState() const override;  ///< list of the pinned states: `number`, `name`, `words`, `face`
+  QString changeName() const override { return tr("pinned states"); }
   void restoreSession(const nlohmann::json& state) override;
 
  public slots:

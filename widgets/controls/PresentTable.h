@@ -47,6 +47,7 @@ class PresentTable : public QObject, public SessionPart {
   bool isPinned() const { return pinned_.has_value(); }
 
   nlohmann::json sessionState() const override;  ///< `face`: the pinned state; {} without one
+  QString changeName() const override { return tr("pinned face"); }
   void restoreSession(const nlohmann::json& state) override;
 
   /// A, with the present surface and mesh.

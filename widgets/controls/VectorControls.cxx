@@ -109,6 +109,7 @@ void VectorControls::add(const QString& name, QWidget* first, QWidget* second) {
   auto* label = new QLabel(name, this);
   label->setBuddy(first);
   first->setAccessibleName(name);
+  if (second) second->setAccessibleName(tr("%1, value").arg(name));
   grid_->addWidget(label, count_, 0);
   grid_->addWidget(first, count_, 1, 1, second ? 1 : 2);
   if (second) grid_->addWidget(second, count_, 2);

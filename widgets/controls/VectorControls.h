@@ -39,6 +39,7 @@ class VectorControls : public QWidget, public SessionPart {
   void setWholeRegion();
 
   nlohmann::json sessionState() const override;  ///< `dragged`: the rectangle, as VectorRegion reads it
+  QString changeName() const override { return tr("Region"); }
   void restoreSession(const nlohmann::json& state) override;
 
  signals:

@@ -31,6 +31,7 @@ class FAPPlotPanel : public QWidget, public SessionPart {
   double shownEnd() const { return end_; }      ///< s
 
   nlohmann::json sessionState() const override;  ///< `faps`: those that the user has chosen; {} before that
+  QString changeName() const override { return tr("plotted FAPs"); }
   void restoreSession(const nlohmann::json& state) override;
 
  protected:

@@ -103,6 +103,7 @@ void ScanPanel::describeButtons() {
              tr("Writes the scan's curves as .vtp and makes them the face"));
   makeFramed(cancel_, "scanCancel", tr("Cancel"), tr("Stops measuring the scan"));
   unit_->setObjectName("scanUnit");
+  unit_->setAccessibleName(tr("Unit of the scan"));
   unit_->addItem(tr("Unit found"), QString());
   for (const char* unit : {"mm", "cm", "m", "inch"}) unit_->addItem(unit, unit);
   unit_->setToolTip(tr("What the scan's lengths are in, where that is not recognised"));
@@ -120,9 +121,11 @@ void ScanPanel::describeButtons() {
 
 void ScanPanel::describeMap() {
   subject_->setObjectName("scanDistances");
+  subject_->setAccessibleName(tr("Distances"));
   subject_->addItems({tr("not shown"), tr("on the face"), tr("on the scan")});
   subject_->setToolTip(tr("Colours the face, or the scan, by the distance to the other"));
   largest_->setObjectName("scanLargest");
+  largest_->setAccessibleName(tr("Largest distance"));
   largest_->setRange(0.1, 100.0);
   largest_->setDecimals(1);
   largest_->setValue(5.0);

@@ -42,6 +42,7 @@ class ScanPanel : public QWidget, public SessionPart {
   bool hasScan() const { return scan_; }
 
   nlohmann::json sessionState() const override;  ///< file names `scan` and `landmarks`; empty without
+  QString changeName() const override { return tr("scan"); }
   void restoreSession(const nlohmann::json& state) override;
 
  signals:

@@ -105,6 +105,7 @@ SpectrumPanel::~SpectrumPanel() = default;
 
 QWidget* SpectrumPanel::controls() {
   measure_->setObjectName("spectrumMeasure");
+  measure_->setAccessibleName(tr("Measure"));
   measure_->addItems({tr("RMS (mm)"), tr("Share of the energy")});
   measure_->setToolTip(
       tr("What the bars show: the RMS length of S<sub>n</sub>(u, v) in mm, or its square's share of the sum over all "

@@ -25,6 +25,7 @@ class AnimationPlayer : public QObject, public SessionPart {
   bool hasRange() const;                     ///< whether that is not all
 
   nlohmann::json sessionState() const override;  ///< `begin` and `end` of the range; {} without one
+  QString changeName() const override { return tr("range to play"); }
   void restoreSession(const nlohmann::json& state) override;
 
  public slots:

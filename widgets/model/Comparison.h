@@ -53,6 +53,7 @@ class Comparison : public QObject, public SessionPart {
   /// {"kind": "none" | "state" | "scheme" | "mesh", "state": {..}, "scheme": "..", "file": ".."}, with the FaceState as
   /// FaceStateText writes it.
   nlohmann::json sessionState() const override;
+  QString changeName() const override { return tr("comparison"); }
   void restoreSession(const nlohmann::json& state) override;  ///< failed() of the model tells what cannot be shown
 
  signals:

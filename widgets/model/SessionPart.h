@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <nlohmann/json_fwd.hpp>
 
 namespace mien {
@@ -20,6 +21,8 @@ class SessionPart {
   virtual void restoreSession(const nlohmann::json& state) = 0;
 
   virtual bool isUndoable() const { return true; }  ///< else it is kept in sessions only
+
+  virtual QString changeName() const { return {}; }  ///< of a change, in an Undo menu; empty: that of its dock
 };
 
 }  // namespace mien

@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "SessionPart.h"
 #include "WidgetSettings.h"
 
 namespace mien {
@@ -52,15 +53,21 @@ QString faceText(const json& face) {
   return found == words.end() ? tr("face") : found->second;
 }
 
-/// How its widget is called on the screen; empty when it has no name there.
+/// How it is called on the screen; empty when it has no name there.
 QString widgetText(const QObject& window, const std::string& dock, const std::string& name) {
   const auto* widget = qobject_cast<const QWidget*>(WidgetSettings::find(window, dock, name));
   if (!widget) return {};
   const auto* button = qobject_cast<const QAbstractButton*>(widget);
-  QString text = button ? button->text() : widget->accessibleName();
+  QString text = button && !button->text().isEmpty() ? button->text() : widget->accessibleName();
   for (const auto* label : window.findChildren<QLabel*>())
     if (text.isEmpty() && label->buddy() == widget) text = label->text();
   return text.remove('&');
+}
+
+/// What other widgets change with it is its consequence.
+QString partText(const QObject& window, const std::string& dock, const std::string& name) {
+  const auto* part = dynamic_cast<const SessionPart*>(WidgetSettings::find(window, dock, name));
+  return part ? part->changeName() : QString();
 }
 
 QString dockText(const QObject& window, const json& docks) {
@@ -68,7 +75,10 @@ QString dockText(const QObject& window, const json& docks) {
   const auto* frame = window.findChild<QDockWidget*>(QString::fromStdString(dock));
   const QString title = frame ? frame->windowTitle() : tr("view");
   const QStringList keys = keysOf(docks.front());
-  const QString text = keys.isEmpty() ? QString() : widgetText(window, dock, keys[0].toStdString());
+  QString text;
+  for (const auto& nameOf : {partText, widgetText})
+    for (const QString& key : keys)
+      if (text.isEmpty()) text = nameOf(window, dock, key.toStdString());
   if (text.isEmpty()) return title;
   return frame ? tr("%1: %2").arg(title, text) : text;
 }

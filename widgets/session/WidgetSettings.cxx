@@ -47,7 +47,7 @@ bool isKept(const QObject* object, Of of) {
   if (const auto* button = qobject_cast<const QAbstractButton*>(object)) return button->isCheckable();
   if (const auto* action = qobject_cast<const QAction*>(object))
     return action->isCheckable() && !qobject_cast<QDockWidget*>(action->parent());
-  if (const auto* list = qobject_cast<const QComboBox*>(object)) return list->currentIndex() >= 0;
+  if (const auto* list = qobject_cast<const QComboBox*>(object)) return list->count() > 0;
   return isOneOf<QSpinBox, QDoubleSpinBox, QSlider, QLineEdit, QTabBar, QTabWidget>(object);
 }
 
@@ -79,6 +79,11 @@ QVariant fromJson(const json& value, int type) {
   if (type == QMetaType::Double && value.is_number()) return value.get<double>();
   if (type == QMetaType::QString && value.is_string()) return QString::fromStdString(value.get<std::string>());
   return {};
+}
+
+/// A list chooses nothing where something else does, as a dock that colours the face: that is set, and not this.
+bool choosesNothing(const QObject* object, const json& value) {
+  return qobject_cast<const QComboBox*>(object) && value == "";
 }
 
 json valueOf(const QObject* object) {
@@ -146,7 +151,7 @@ void WidgetSettings::apply(const QObject& window, const json& settings) {
       const auto dock = settings.find(dockOf(object));
       if (dock == settings.end() || !dock->is_object()) continue;
       const auto value = dock->find(object->objectName().toStdString());
-      if (value == dock->end() || *value == valueOf(object)) continue;
+      if (value == dock->end() || *value == valueOf(object) || choosesNothing(object, *value)) continue;
       differs = true;
       set(object, *value);
     }

@@ -6,6 +6,7 @@
 
 #include "CommaReader.h"
 #include "PackedTable.h"
+#include "SessionFile.h"
 
 namespace mien {
 
@@ -45,6 +46,7 @@ bool isSession(const QByteArray& head) {
 }  // namespace
 
 FileKind fileKind(const QString& fileName) {
+  if (fileName.endsWith(SessionFile::ending, Qt::CaseInsensitive)) return FileKind::Session;  // be it damaged
   QFile file(fileName);
   if (!file.open(QIODevice::ReadOnly)) return FileKind::Animation;
   const QByteArray head = file.read(headOfFile);

@@ -36,7 +36,9 @@ void FileMenu::addSession() {
 void FileMenu::addAnimation() {
   addAction(tr("&Open animation..."), window_, &StudioWindow::chooseAnimation)->setShortcut(QKeySequence::Open);
   addAction(tr("Play the &demonstration"), window_, &StudioWindow::playDemonstration);
-  addAction(tr("&Close animation"), &window_->model(), &FaceModel::closeAnimation)->setShortcut(QKeySequence::Close);
+  QAction* close = addAction(tr("&Close animation"), &window_->model(), &FaceModel::closeAnimation);
+  close->setShortcut(QKeySequence::Close);
+  close->setEnabled(false);
   addSeparator();
   addAction(tr("Open animation &table..."), window_, &StudioWindow::chooseAnimationTable)
       ->setObjectName("actionOpenTable");
@@ -45,8 +47,10 @@ void FileMenu::addAnimation() {
   builtIn->setObjectName("actionBuiltInTable");
   builtIn->setEnabled(false);
   FaceModel* model = &window_->model();
-  connect(model, &FaceModel::stateChanged, builtIn,
-          [model, builtIn] { builtIn->setEnabled(!model->state().animationTable.empty()); });
+  connect(model, &FaceModel::stateChanged, this, [model, builtIn, close] {
+    builtIn->setEnabled(!model->state().animationTable.empty());
+    close->setEnabled(!model->state().fapFile.empty());
+  });
 }
 
 void FileMenu::chooseSession() {

@@ -19,8 +19,8 @@ RecoveryBar::RecoveryBar(Autosave* autosave, SessionDocument* document, QWidget*
   sentence->setObjectName("recoverySentence");
   sentence->setWordWrap(true);
   auto *restored = new QToolButton(this), *discarded = new QToolButton(this);
-  makeFramed(restored, "recoveryRestore", tr("Restore"), tr("Shows it; undo takes it back no more"));
-  makeFramed(discarded, "recoveryDiscard", tr("Discard"), tr("Forgets it for good"));
+  makeFramed(restored, "recoveryRestore", tr("Re&store"), tr("Shows it; undo takes it back no more"));
+  makeFramed(discarded, "recoveryDiscard", tr("&Discard"), tr("Forgets it for good"));
   connect(restored, &QToolButton::clicked, this, &RecoveryBar::restore);
   connect(discarded, &QToolButton::clicked, this, &RecoveryBar::discard);
   auto* row = new QHBoxLayout(this);

@@ -146,6 +146,7 @@ void StudioWindow::addMenus() {
 
 void StudioWindow::addFaceMenu() {
   QMenu* face = menuBar()->addMenu(tr("F&ace"));
+  face->setObjectName("faceMenu");
   QAction* play =
       face->addAction(tr("&Play or pause"), player_, [this] { player_->setPlaying(!player_->isPlaying()); });
   play->setShortcut(Qt::CTRL | Qt::Key_Space);
@@ -156,6 +157,7 @@ void StudioWindow::addFaceMenu() {
 
 void StudioWindow::addViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
+  menu->setObjectName("viewMenu");
   const auto add = [&](const QString& text, int key, RenderView::Side side) {
     menu->addAction(text, this, [this, side] { views_->look(side); })->setShortcut(Qt::CTRL | Qt::Key(key));
   };
@@ -173,7 +175,9 @@ void StudioWindow::addViewMenu() {
 }
 
 void StudioWindow::addHelpMenu() {
-  menuBar()->addMenu(tr("&Help"))->addAction(tr("&About Mien Studio"), this, &StudioWindow::showAbout);
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->setObjectName("helpMenu");
+  help->addAction(tr("&About Mien Studio"), this, &StudioWindow::showAbout);
 }
 
 void StudioWindow::setDark(bool dark) {
