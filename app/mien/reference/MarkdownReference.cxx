@@ -9,7 +9,7 @@ namespace mien {
 
 namespace {
 
-constexpr const char* moreOptions = "options-of-many-commands";
+constexpr const char* moreOptions = "Options of many commands";
 
 /// Text in which no character has a meaning of its own.
 std::string plain(const std::string& text) {
@@ -25,11 +25,19 @@ std::string code(const std::string& text) {
   return "`" + text + "`";
 }
 
-/// The place on the page that GitHub and Doxygen give a heading.
 std::string anchor(const std::string& heading) {
   std::string name;
   for (const char c : heading) name += c == ' ' ? '-' : c;
   return name;
+}
+
+std::string link(const std::string& text, const std::string& heading) {
+  return "[" + text + "](#" + anchor(heading) + ")";
+}
+
+/// With an anchor that every reader of Markdown understands alike.
+std::string heading(const std::string& text) {
+  return "<a name=\"" + anchor(text) + "\"></a>\n## " + text + "\n\n";
 }
 
 std::string optionLine(const OptionDescription& option) {
@@ -68,11 +76,11 @@ std::string sharedText(const std::vector<SharedOptions::Group>& groups) {
     for (const OptionDescription& option : group.options)
       text += (&option == &group.options.front() ? "" : ", ") + code(option.namesText());
   }
-  return text.empty() ? text : "Also, [as in many commands](#" + std::string(moreOptions) + "): " + text + ".\n\n";
+  return text.empty() ? text : "Also, " + link("as in many commands", moreOptions) + ": " + text + ".\n\n";
 }
 
 std::string commandText(const CommandDescription& command, const SharedOptions& shared) {
-  std::string text = "## " + command.path + "\n\n" + plain(command.summary) + ".\n\n";
+  std::string text = heading(command.path) + plain(command.summary) + ".\n\n";
   text += "    " + command.usage() + "\n\n";
   text += optionList("Arguments", command.arguments);
   for (const SharedOptions::Group& group : shared.own(command))
@@ -87,19 +95,19 @@ std::string overview(const CommandDescription& program) {
   std::string text = "| command | what it does |\n|---|---|\n";
   for (const CommandDescription* command : withAllBelow(program))
     if (command != &program)
-      text += "| [" + command->path + "](#" + anchor(command->path) + ") | " + plain(command->summary) + " |\n";
+      text += "| " + link(command->path, command->path) + " | " + plain(command->summary) + " |\n";
   return text + "\n";
 }
 
 std::string entries(const std::string& title, const ReferenceText::Entry* begin, const ReferenceText::Entry* end) {
-  std::string text = "## " + title + "\n\n";
+  std::string text = heading(title);
   for (const ReferenceText::Entry* entry = begin; entry != end; ++entry)
     text += "- " + code(entry->name) + ": " + plain(entry->meaning) + "\n";
   return text + "\n";
 }
 
 std::string sharedSection(const SharedOptions& shared) {
-  std::string text = "## Options of many commands\n\n";
+  std::string text = heading(moreOptions);
   for (const SharedOptions::Group& group : shared.groups())
     text += optionList(group.name.empty() ? "Results and help" : group.name, group.options);
   return text;
