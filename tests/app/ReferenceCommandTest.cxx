@@ -157,6 +157,7 @@ TEST(ReferenceCommand, BashCompletesCommandsOptionsAndValues) {
   EXPECT_EQ(completed("mien render --scheme = t"), "tangent");
   EXPECT_EQ(completed("mien sweep --scheme al"), "all");
   EXPECT_EQ(completed("mien render --expression su"), "surprise");
+  EXPECT_EQ(completed("mien render --viseme p_"), "p_b_m");
   EXPECT_EQ(completed("mien fdt apply sm"), "smile");
   EXPECT_EQ(completed("mien figure pde-t"), "pde-table-1");
   EXPECT_EQ(completed("mien patch --precision d"), "double");

@@ -88,9 +88,15 @@ std::string entries(const std::string& title, const ReferenceText::Entry* begin,
   return text;
 }
 
+/// What the program is, without its name, which a manual page puts before it.
+std::string purpose(const CommandDescription& program) {
+  const size_t colon = program.summary.find(": ");
+  return colon == std::string::npos ? program.summary : program.summary.substr(colon + 2);
+}
+
 std::string heading(const CommandDescription& program, const std::string& version) {
   return ".\\\" Made by: mien reference --format man\n.TH MIEN 1 \"\" \"mien " + plain(version) +
-         "\" \"User commands\"\n.SH NAME\nmien \\- " + plain(program.summary) + "\n.SH SYNOPSIS\n" + bold("mien") +
+         "\" \"User commands\"\n.SH NAME\nmien \\- " + plain(purpose(program)) + "\n.SH SYNOPSIS\n" + bold("mien") +
          " \\fICOMMAND\\fR [\\fIOPTIONS\\fR] [\\fIARGUMENTS\\fR]\n.SH DESCRIPTION\n" +
          plain(ReferenceText::introduction) + "\n";
 }

@@ -1,13 +1,14 @@
 #include "SharedOptions.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace mien {
 
 namespace {
 
 /// An option of fewer commands is explained with each.
-constexpr size_t fewestCommands = 3;
+constexpr std::ptrdiff_t fewestCommands = 3;
 
 void add(const OptionDescription& option, std::vector<SharedOptions::Group>& groups) {
   const auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.name == option.group; });
@@ -17,19 +18,22 @@ void add(const OptionDescription& option, std::vector<SharedOptions::Group>& gro
     known->options.push_back(option);
 }
 
+/// One that other commands declare otherwise is shared only where most declare it so: a name stands for one thing.
+bool isShared(const OptionDescription& option, const std::vector<OptionDescription>& all) {
+  const auto alike = std::count(all.begin(), all.end(), option);
+  const auto named = std::count_if(all.begin(), all.end(),
+                                   [&](const OptionDescription& o) { return o.longestName() == option.longestName(); });
+  return alike >= fewestCommands && 2 * alike > named;
+}
+
 }  // namespace
 
 SharedOptions::SharedOptions(const CommandDescription& program) {
-  const std::vector<const CommandDescription*> commands = withAllBelow(program);
-  const auto has = [](const CommandDescription* command, const OptionDescription& option) {
-    return std::find(command->options.begin(), command->options.end(), option) != command->options.end();
-  };
-  for (const CommandDescription* command : commands)
-    for (const OptionDescription& option : command->options) {
-      if (contains(option)) continue;
-      const auto uses = std::count_if(commands.begin(), commands.end(), [&](auto other) { return has(other, option); });
-      if (static_cast<size_t>(uses) >= fewestCommands) add(option, groups_);
-    }
+  std::vector<OptionDescription> all;
+  for (const CommandDescription* command : withAllBelow(program))
+    all.insert(all.end(), command->options.begin(), command->options.end());
+  for (const OptionDescription& option : all)
+    if (!contains(option) && isShared(option, all)) add(option, groups_);
 }
 
 bool SharedOptions::contains(const OptionDescription& option) const {

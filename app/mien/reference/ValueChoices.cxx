@@ -1,5 +1,6 @@
 #include "ValueChoices.h"
 
+#include <algorithm>
 #include <regex>
 
 #include "AnimationData.h"
@@ -23,8 +24,11 @@ Words expressions(const OptionDescription&) {
   return namesIn(defaultExpressions());
 }
 
+/// As a command line takes them: "p_b_m".
 Words visemes(const OptionDescription&) {
-  return namesIn(defaultVisemes());
+  Words names = namesIn(defaultVisemes());
+  for (std::string& name : names) std::replace(name.begin(), name.end(), ' ', '_');
+  return names;
 }
 
 Words tables(const OptionDescription&) {

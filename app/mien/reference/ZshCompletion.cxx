@@ -88,7 +88,9 @@ std::string zshCompletion(const CommandDescription& program) {
   std::string text = "#compdef mien\n# Completion of mien for zsh. Made by: mien reference --format zsh\n\n";
   for (const CommandDescription* command : withAllBelow(program))
     text += command->commands.empty() ? leafFunction(*command) : branchFunction(*command);
-  return text + "_mien \"$@\"\n";
+  return text +
+         "# Loaded by compinit this is the function itself; sourced, it must be made known.\n"
+         "if [[ $funcstack[1] == _mien ]]; then _mien \"$@\"; else compdef _mien mien; fi\n";
 }
 
 }  // namespace mien
