@@ -10,6 +10,7 @@
 #include <QVariant>
 
 #include "Icons.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -37,6 +38,7 @@ MessageBar::MessageBar(QWidget* parent)
   more_->setObjectName("messageMore");
   more_->setText(tr("Details"));
   more_->setCheckable(true);
+  more_->setProperty(notInSession, true);
   auto* close = new QToolButton(this);
   close->setObjectName("messageClose");
   close->setIcon(icon(Symbol::Close));

@@ -16,13 +16,19 @@
 #include "AnimationPlayer.h"
 #include "BundledFile.h"
 #include "CurveView.h"
+#include "EditMenu.h"
 #include "ExpressionPanel.h"
 #include "FAPPanel.h"
 #include "FaceModel.h"
-#include "FileKind.h"
+#include "FileMenu.h"
+#include "History.h"
 #include "LaboratoryDocks.h"
 #include "LiveStream.h"
 #include "MessageBar.h"
+#include "RecentFiles.h"
+#include "RecoveryBar.h"
+#include "SessionDocument.h"
+#include "SessionKeeper.h"
 #include "SurfacePanel.h"
 #include "TexturePanel.h"
 #include "Theme.h"
@@ -56,7 +62,7 @@ QString advice(FileKind kind) {
     case FileKind::Other:
       return StudioWindow::tr(
           "%1 is no animation and no table. Mien Studio opens .fap files, tables (.csv) of FAPs, action units or "
-          "blendshapes, facial deformation tables (.csv) and animation tables (.json)");
+          "blendshapes, facial deformation tables (.csv), animation tables and sessions (.json)");
     default:
       return {};
   }
@@ -71,23 +77,30 @@ StudioWindow::StudioWindow()
       curves_(new CurveView(model_)),
       views_(new ViewArea(model_, face_, curves_)),
       messages_(new MessageBar),
-      laboratory_(new LaboratoryDocks(model_, player_, face_, curves_, this)) {
+      laboratory_(new LaboratoryDocks(model_, player_, face_, curves_, this)),
+      keeper_(new SessionKeeper(model_, player_, this)) {
   setObjectName("studioWindow");
-  setWindowTitle(tr("Mien Studio"));
   setAcceptDrops(true);
   setCentralWidget(centre());
   addDocks();
-  addFileMenu();
-  addViewMenu();
-  addHelpMenu();
+  addMenus();
   connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
   connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
   connect(model_, &FaceModel::recovered, messages_, &MessageBar::clearError);
   resize(startWidth, startHeight);
   WindowLayout::restore(*this);
+  keeper_->history()->clear();
 }
 
 StudioWindow::~StudioWindow() = default;
+
+History& StudioWindow::history() {
+  return *keeper_->history();
+}
+
+SessionDocument& StudioWindow::document() {
+  return *keeper_->document();
+}
 
 QWidget* StudioWindow::centre() {
   auto* timeline = new TimelinePanel(model_, player_);
@@ -100,6 +113,7 @@ QWidget* StudioWindow::centre() {
   column->setSpacing(6);
   column->addWidget(views_, 1);
   column->addWidget(timeline);
+  if (keeper_->autosave()) column->addWidget(new RecoveryBar(keeper_->autosave(), keeper_->document()));
   column->addWidget(messages_);
   return box;
 }
@@ -122,23 +136,17 @@ void StudioWindow::addDocks() {
   resizeDocks({expressions, faps, surface}, {1, 1000, 1}, Qt::Vertical);
 }
 
-void StudioWindow::addFileMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&File"));
-  menu->addAction(tr("&Open animation..."), this, &StudioWindow::chooseAnimation)->setShortcut(QKeySequence::Open);
-  menu->addAction(tr("Play the &demonstration"), this, &StudioWindow::playDemonstration);
-  menu->addSeparator();
-  menu->addAction(tr("Open animation &table..."), this, &StudioWindow::chooseAnimationTable)
-      ->setObjectName("actionOpenTable");
-  QAction* builtIn = menu->addAction(tr("&Built-in animation table"), this, [this] { openAnimationTable(QString()); });
-  builtIn->setObjectName("actionBuiltInTable");
-  builtIn->setEnabled(false);
-  connect(model_, &FaceModel::stateChanged, builtIn,
-          [this, builtIn] { builtIn->setEnabled(!model_->state().animationTable.empty()); });
-  menu->addSeparator();
-  menu->addAction(tr("&Close animation"), model_, &FaceModel::closeAnimation)->setShortcut(QKeySequence::Close);
-  menu->addSeparator();
-  menu->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence::Quit);
+void StudioWindow::addMenus() {
+  menuBar()->addMenu(new FileMenu(this, keeper_->document(), keeper_->recent()));
+  menuBar()->addMenu(new EditMenu(keeper_->history(), model_, face_, this));
+  addFaceMenu();
+  addViewMenu();
+  addHelpMenu();
+}
+
+void StudioWindow::addFaceMenu() {
   QMenu* face = menuBar()->addMenu(tr("F&ace"));
+  face->setObjectName("faceMenu");
   QAction* play =
       face->addAction(tr("&Play or pause"), player_, [this] { player_->setPlaying(!player_->isPlaying()); });
   play->setShortcut(Qt::CTRL | Qt::Key_Space);
@@ -149,6 +157,7 @@ void StudioWindow::addFileMenu() {
 
 void StudioWindow::addViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
+  menu->setObjectName("viewMenu");
   const auto add = [&](const QString& text, int key, RenderView::Side side) {
     menu->addAction(text, this, [this, side] { views_->look(side); })->setShortcut(Qt::CTRL | Qt::Key(key));
   };
@@ -166,7 +175,9 @@ void StudioWindow::addViewMenu() {
 }
 
 void StudioWindow::addHelpMenu() {
-  menuBar()->addMenu(tr("&Help"))->addAction(tr("&About Mien Studio"), this, &StudioWindow::showAbout);
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->setObjectName("helpMenu");
+  help->addAction(tr("&About Mien Studio"), this, &StudioWindow::showAbout);
 }
 
 void StudioWindow::setDark(bool dark) {
@@ -186,10 +197,16 @@ void StudioWindow::showAbout() {
 }
 
 bool StudioWindow::openFile(const QString& fileName) {
-  const FileKind kind = fileKind(fileName);
+  const bool good = openAs(fileKind(fileName), fileName);
+  if (good) keeper_->recent()->add(fileName);
+  return good;
+}
+
+bool StudioWindow::openAs(FileKind kind, const QString& fileName) {
   const QString name = QFileInfo(fileName).fileName();
   if (kind == FileKind::AnimationTable) return openAnimationTable(fileName);
   if (kind == FileKind::Animation) return openAnimation(fileName);
+  if (kind == FileKind::Session) return document().open(fileName);
   if (kind != FileKind::DeformationTable) {
     messages_->showError(advice(kind).arg(name), fileName);
     return false;
@@ -263,6 +280,7 @@ void StudioWindow::closeEvent(QCloseEvent* event) {
   auto* texture = findChild<TexturePanel*>();
   if (texture && !texture->mayClose()) return event->ignore();
   player_->pause();
+  if (!document().mayClose()) return event->ignore();
   WindowLayout::save(*this);
   QMainWindow::closeEvent(event);
 }

@@ -3,15 +3,19 @@
 #include <QMainWindow>
 
 #include "FaceView.h"
+#include "FileKind.h"
 
 namespace mien {
 
 class AnimationPlayer;
 class CurveView;
 class FaceModel;
+class History;
 class LaboratoryDocks;
 class LiveStream;
 class MessageBar;
+class SessionDocument;
+class SessionKeeper;
 class ViewArea;
 
 /// The main window of Mien Studio: it puts the widgets in their places and knows the menus.
@@ -23,10 +27,12 @@ class StudioWindow : public QMainWindow {
 
   FaceModel& model() { return *model_; }
   AnimationPlayer& player() { return *player_; }
+  History& history();
+  SessionDocument& document();
 
  public slots:
   /// Takes over whatever a file holds, as its content tells: an animation, a facial deformation table, an animation
-  /// table; of other files the message bar says what they are for. @return whether it was taken over
+  /// table, a session; of other files the message bar says what they are for. @return whether it was taken over
   bool openFile(const QString& fileName);
   bool openAnimation(const QString& fileName);  ///< the message bar says what is wrong with a file that has a fault
   void playStream(int descriptor);              ///< a .fap stream that is still being written; 0 is standard input
@@ -45,7 +51,9 @@ class StudioWindow : public QMainWindow {
   QWidget* centre();
   void addDocks();
   QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel);
-  void addFileMenu();
+  bool openAs(FileKind kind, const QString& fileName);
+  void addMenus();
+  void addFaceMenu();
   void addViewMenu();
   void addHelpMenu();
   void setDark(bool dark);
@@ -58,6 +66,7 @@ class StudioWindow : public QMainWindow {
   ViewArea* views_;
   MessageBar* messages_;
   LaboratoryDocks* laboratory_;
+  SessionKeeper* keeper_;
   LiveStream* stream_ = nullptr;
 };
 
