@@ -27,6 +27,7 @@ struct MeshParts {
   int count() const { return static_cast<int>(area.size()); }
 };
 
+/// The connected parts of a mesh, the largest first.
 MeshParts partsOf(const TriangleMesh& mesh);
 
 /// Only the triangles whose part is wanted; vertices without triangles go.
