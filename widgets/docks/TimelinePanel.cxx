@@ -48,7 +48,8 @@ TimelinePanel::TimelinePanel(FaceModel* model, AnimationPlayer* player, QWidget*
       time_(faintLabel(this, "timelineTime")),
       rate_(faintLabel(this, "timelineRate")),
       lower_(new QHBoxLayout) {
-  setObjectName("card");
+  setObjectName("timelinePanel");
+  setProperty("card", true);
   buildButtons();
   buildPosition();
   buildRange();

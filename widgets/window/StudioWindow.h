@@ -13,6 +13,7 @@ class LaboratoryDocks;
 class LiveStream;
 class MessageBar;
 class ViewArea;
+class Workspaces;
 
 /// The main window of Mien Studio: it puts the widgets in their places and knows the menus.
 class StudioWindow : public QMainWindow {
@@ -44,12 +45,8 @@ class StudioWindow : public QMainWindow {
  private:
   QWidget* centre();
   void addDocks();
-  QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel);
+  void addDock(const QString& name, const QString& title, QWidget* panel);
   void addFileMenu();
-  void addViewMenu();
-  void addHelpMenu();
-  void setDark(bool dark);
-  void showAbout();
 
   FaceModel* model_;
   AnimationPlayer* player_;
@@ -58,6 +55,7 @@ class StudioWindow : public QMainWindow {
   ViewArea* views_;
   MessageBar* messages_;
   LaboratoryDocks* laboratory_;
+  Workspaces* workspaces_;
   LiveStream* stream_ = nullptr;
 };
 

@@ -4,12 +4,18 @@
 #include <QPalette>
 #include <QString>
 #include <QStyleFactory>
+#include <QVariant>
+
+#include "Remembered.h"
 
 namespace mien {
 
 namespace {
 
 const Theme* applied = nullptr;
+
+constexpr const char* darkKey = "window/dark";
+constexpr int middleGrey = 128;
 
 Theme light() {
   Theme theme;
@@ -87,12 +93,13 @@ QMenuBar { background: @window; }
 QStatusBar { background: @window; color: @faint; }
 QDockWidget { font-weight: 600; titlebar-close-icon: none; }
 QDockWidget::title { background: @window; padding: 6px 8px; }
-QFrame#card { background: @panel; border: 1px solid @line; border-radius: 6px; }
+QFrame[card="true"] { background: @panel; border: 1px solid @line; border-radius: 6px; }
 QLabel[faint="true"] { color: @faint; }
 QLabel[heading="true"] { font-weight: 600; }
 QTabWidget::pane { border: none; border-top: 1px solid @line; }
 QTabBar::tab { padding: 5px 9px; border: none; border-bottom: 2px solid transparent; color: @faint; background: transparent; }
 QTabBar#fapTabs::tab { padding: 5px 7px; }
+QTabBar#workspaces::tab { padding: 4px 12px; }
 QTabBar::tab:selected { color: @text; border-bottom-color: @accent; }
 QTabBar::tab:hover { color: @text; }
 QTabBar::tab:focus { color: @accent; }
@@ -136,6 +143,16 @@ const Theme& Theme::of(Kind kind) {
 
 const Theme& Theme::current() {
   return applied ? *applied : of(Kind::Light);
+}
+
+Theme::Kind Theme::preferred(const QApplication& application) {
+  const bool isDark = application.palette().color(QPalette::Window).lightness() < middleGrey;
+  return Remembered::value(darkKey, isDark).toBool() ? Kind::Dark : Kind::Light;
+}
+
+void Theme::choose(Kind kind, QApplication& application) {
+  Remembered::set(darkKey, kind == Kind::Dark);
+  apply(kind, application);
 }
 
 void Theme::apply(Kind kind, QApplication& application) {
