@@ -96,6 +96,7 @@ void TimelinePanel::buildPosition() {
   position_->setSingleStep(1);
   position_->setPageStep(10);
   position_->setAccessibleName(tr("Position in the animation"));
+  position_->setToolTip(tr("The frame that is shown; arrow keys step by one, Page up and down by ten"));
   frame_->setObjectName("timelineFrame");
   frame_->setKeyboardTracking(false);
   frame_->setAlignment(Qt::AlignRight);

@@ -73,6 +73,7 @@ QWidget* ManualWindow::side() {
   search_->setToolTip(tr("Words of the manual; Return finds the next place, Shift+Return the one before"));
   search_->setAccessibleName(tr("Find in the manual"));
   search_->setClearButtonEnabled(true);
+  search_->installEventFilter(this);
   connect(search_, &QLineEdit::textEdited, this, [this] {
     page_->moveCursor(QTextCursor::Start);
     find(false);
@@ -153,10 +154,15 @@ void ManualWindow::find(bool backward) {
 }
 
 void ManualWindow::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape) return hide();
-  const bool isReturn = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (isReturn && search_->hasFocus()) return find(event->modifiers() & Qt::ShiftModifier);
-  QWidget::keyPressEvent(event);
+  event->key() == Qt::Key_Escape ? hide() : QWidget::keyPressEvent(event);
+}
+
+bool ManualWindow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
+  const auto* key = static_cast<QKeyEvent*>(event);
+  if (key->key() != Qt::Key_Return && key->key() != Qt::Key_Enter) return false;
+  find(key->modifiers() & Qt::ShiftModifier);
+  return true;
 }
 
 }  // namespace mien

@@ -35,6 +35,8 @@ MessageBar::MessageBar(QWidget* parent)
   details_->setObjectName("messageDetails");
   details_->setReadOnly(true);
   details_->setFixedHeight(detailsHeight);
+  details_->setTabChangesFocus(true);
+  details_->setToolTip(tr("What else is known about this message"));
   leaving_->setSingleShot(true);
   leaving_->setInterval(noteTime);
   connect(leaving_, &QTimer::timeout, this, &QWidget::hide);

@@ -10,6 +10,8 @@
 #include <QSet>
 #include <QVariant>
 
+#include "OwnKeys.h"
+
 namespace mien {
 
 namespace {

@@ -7,10 +7,6 @@ class QWidget;
 
 namespace mien {
 
-/// Dynamic property of a widget that answers keys itself: a QStringList of texts such as "Left, Right: the frame
-/// before, the next one".
-constexpr const char* ownKeys = "ownKeys";
-
 /// A command of a window and the keys that give it.
 struct ShortcutEntry {
   QString place;    ///< its menu, its dock, or the part of the window that it is in

@@ -116,6 +116,7 @@ QToolButton:hover { border-color: @line; }
 QToolButton:focus { border-color: @accent; }
 QToolButton:checked { background: @accent; color: @accentText; }
 QToolButton:checked:disabled { background: @line; }
+QListWidget#manualContents::item { padding: 3px 4px; }
 QListWidget#plotFAPs { border: 1px solid @line; border-radius: 4px; }
 QListWidget#plotFAPs::item { color: @faint; }
 QListWidget#plotFAPs::item:selected { color: @text; background: @window; }
@@ -160,6 +161,14 @@ void Theme::apply(Kind kind, QApplication& application) {
   application.setStyle(QStyleFactory::create("Fusion"));
   application.setPalette(palette(*applied));
   application.setStyleSheet(styleSheet(*applied));
+}
+
+BorrowedTheme::BorrowedTheme(const Theme& theme) : before_(applied) {
+  applied = &theme;
+}
+
+BorrowedTheme::~BorrowedTheme() {
+  applied = before_;
 }
 
 }  // namespace mien

@@ -32,4 +32,17 @@ struct Theme {
   static void apply(Kind kind, QApplication& application);
 };
 
+/// Theme::current() is another one as long as this lives, for pictures that are not of the screen. It must outlive
+/// this.
+class BorrowedTheme {
+ public:
+  explicit BorrowedTheme(const Theme& theme);
+  ~BorrowedTheme();
+  BorrowedTheme(const BorrowedTheme&) = delete;
+  BorrowedTheme& operator=(const BorrowedTheme&) = delete;
+
+ private:
+  const Theme* before_;
+};
+
 }  // namespace mien

@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 
+#include "ExportDialog.h"
 #include "MessageBar.h"
 #include "Theme.h"
 #include "ViewArea.h"
@@ -15,6 +16,8 @@ ViewMenu::ViewMenu(QMainWindow* window, ViewArea* views, Workspaces* workspaces,
     : QMenu(tr("&View"), window), views_(views) {
   setObjectName("viewMenu");
   addSides();
+  addSeparator();
+  addExports(window);
   addSeparator();
   QMenu* arrangements = addMenu(tr("&Workspace"));
   arrangements->setObjectName("workspaceMenu");
@@ -33,6 +36,14 @@ void ViewMenu::addSides() {
   add(tr("&Front"), Qt::Key_1, RenderView::Side::Front);
   add(tr("&45 degrees"), Qt::Key_2, RenderView::Side::FortyFive);
   add(tr("&Side"), Qt::Key_3, RenderView::Side::Profile);
+}
+
+void ViewMenu::addExports(QWidget* window) {
+  const auto add = [&](const QString& text, const char* name, Exporter* exporter) {
+    addAction(text, this, [exporter, window] { ExportDialog::ask(exporter, window); })->setObjectName(name);
+  };
+  add(tr("&Export the face..."), "actionExportFace", views_->faceExporter());
+  add(tr("Export the &curves..."), "actionExportCurves", views_->curveExporter());
 }
 
 void ViewMenu::addColours() {

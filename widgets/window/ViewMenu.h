@@ -18,6 +18,7 @@ class ViewMenu : public QMenu {
 
  private:
   void addSides();
+  void addExports(QWidget* window);
   void addColours();
 
   ViewArea* views_;
