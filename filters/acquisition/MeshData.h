@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "MienAcquisitionModule.h"
 #include "TriangleMesh.h"
 
 class vtkPolyData;
@@ -10,7 +11,7 @@ namespace mien {
 
 /// Triangles of a polydata (polygons are split into fans, strips are not read).
 /// @return nothing, or one sentence that says what makes the mesh unusable
-std::string readTriangleMesh(vtkPolyData* data, TriangleMesh& mesh);
+MIENACQUISITION_EXPORT std::string readTriangleMesh(vtkPolyData* data, TriangleMesh& mesh);
 
 /// A polydata of triangles with double precision points.
 void writeTriangleMesh(const TriangleMesh& mesh, vtkPolyData* data);

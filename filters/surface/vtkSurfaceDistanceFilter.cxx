@@ -147,6 +147,10 @@ double vtkSurfaceDistanceFilter::GetPercentile95Distance(int direction) const {
   return this->Impl->summaries[direction != 0].percentile95;
 }
 
+const mien::DistanceSummary& vtkSurfaceDistanceFilter::GetSummary(int direction) const {
+  return this->Impl->summaries[direction != 0];
+}
+
 int vtkSurfaceDistanceFilter::FillInputPortInformation(int, vtkInformation* info) {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");

@@ -24,6 +24,10 @@
 #include "MienSurfaceModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
+namespace mien {
+struct DistanceSummary;
+}
+
 class MIENSURFACE_EXPORT vtkSurfaceDistanceFilter : public vtkPolyDataAlgorithm {
  public:
   static vtkSurfaceDistanceFilter* New();
@@ -81,6 +85,9 @@ class MIENSURFACE_EXPORT vtkSurfaceDistanceFilter : public vtkPolyDataAlgorithm 
   double GetMedianDistance(int direction = 0) const;
   double GetPercentile95Distance(int direction = 0) const;
   ///@}
+
+  /** All numbers of the last update in one; see SurfaceDistance.h. Of C++ only. */
+  const mien::DistanceSummary& GetSummary(int direction = 0) const;
 
  protected:
   vtkSurfaceDistanceFilter();

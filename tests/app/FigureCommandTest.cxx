@@ -114,6 +114,32 @@ TEST(FigureCommand, OptionsWithoutUseAreSaid) {
   EXPECT_NE(run({"fdt-4", "--texture", painted, "-o", file}).errors.find("--texture is ignored"), std::string::npos);
 }
 
+/// A figure with states of its own is the same with a motion that it has no use for, and does not claim to show it.
+TEST(FigureCommand, WhatAFigureDoesNotHeedIsNotInIt) {
+  const TemporaryFolder folder;
+  const std::string still = folder.file("still.svg"), moved = folder.file("moved.svg");
+  for (const std::string id : {"pde-1", "pde-5", "pde-6", "fdt-4", "fdt-7", "fdt-table-1", "pde-table-1"}) {
+    run({id, "-o", still});
+    const std::string errors = run({id, "--expression", "joy", "--fdt", "surprise", "-o", moved}).errors;
+    EXPECT_NE(errors.find("--expression, --viseme and --set are ignored"), std::string::npos) << id;
+    EXPECT_NE(errors.find("--fdt is ignored"), std::string::npos) << id;
+    EXPECT_EQ(readTextFile(still), readTextFile(moved)) << id;
+  }
+  run({"mien-spectrum", "-o", still});
+  EXPECT_EQ(run({"mien-spectrum", "--expression", "joy", "-o", moved}).errors, "");
+  EXPECT_NE(wordsOf(readTextFile(still)), wordsOf(readTextFile(moved)));
+  EXPECT_NE(readTextFile(moved).find("N = 20 with remainder; joy"), std::string::npos);
+}
+
+/// Tables are of no face.
+TEST(FigureCommand, OnlyFiguresOfAFaceNameIt) {
+  const TemporaryFolder folder;
+  for (const auto& [id, named] : {std::pair{"pde-1", true}, {"fdt-table-1", false}, {"pde-table-1", false}}) {
+    run({id, "-o", folder.file("x.svg")});
+    EXPECT_EQ(countOf(wordsOf(readTextFile(folder.file("x.svg"))), "Generic face") > 0, named) << id;
+  }
+}
+
 TEST(FigureCommand, APatchOfTheCurvesHasItsBracket) {
   const TemporaryFolder folder;
   run({"pde-1", "-o", folder.file("x.svg")});

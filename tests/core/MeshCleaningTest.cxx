@@ -31,6 +31,22 @@ TEST(MeshCleaning, ASoundMeshStaysAsItIs) {
   EXPECT_EQ(clean.mergedVertices + clean.degenerateTriangles, 0);
 }
 
+/// Of a cube of 2 mm, wherever it lies and however it is wound; a missing side takes its share, a sixth.
+TEST(MeshCleaning, VolumeIsSigned) {
+  TriangleMesh cube;
+  cube.vertices.resize(8, 3);
+  for (int i = 0; i < 8; ++i) cube.vertices.row(i) << 9 + 2 * (i & 1), (i & 2) - 4, (i >> 1) & 2;
+  cube.triangles.resize(12, 3);
+  cube.triangles << 0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5,
+      3, 7, 5;
+  EXPECT_NEAR(signedVolume(cube), 8.0, 1e-12);
+  TriangleMesh open = cube;
+  open.triangles.conservativeResize(10, 3);
+  EXPECT_NEAR(signedVolume(open), 8.0 * 5 / 6, 1e-12);
+  cube.triangles.col(0).swap(cube.triangles.col(1));
+  EXPECT_NEAR(signedVolume(cube), -8.0, 1e-12);
+}
+
 TEST(MeshCleaning, SoupBecomesOnePart) {
   const TriangleMesh mesh = ellipticHead().mesh();
   EXPECT_EQ(partsOf(soup(mesh)).count(), mesh.triangles.rows());

@@ -55,6 +55,15 @@ TEST(AxisScale, DecadesAreLeftOutWhenThereAreManyOfThem) {
   EXPECT_EQ(ticks.size(), 25u);
 }
 
+TEST(AxisScale, DecadesOfOneAxisAreWrittenAlike) {
+  const ChartAxis axis;
+  EXPECT_EQ(names(AxisScale(1e-7, 0.1, true).ticks(axis, 5)),
+            (std::vector<std::string>{"10⁻⁷", "10⁻⁵", "10⁻³", "10⁻¹"}));
+  EXPECT_EQ(names(AxisScale(10.0, 1e7, true).ticks(axis, 5)), (std::vector<std::string>{"10¹", "10³", "10⁵", "10⁷"}));
+  EXPECT_EQ(names(AxisScale(0.1, 1e3, true).ticks(axis, 6)),
+            (std::vector<std::string>{"0.1", "1", "10", "100", "1000"}));
+}
+
 TEST(AxisScale, ValuesThatAreNotFiniteHaveNoSay) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const AxisScale scale = AxisScale::around(ChartAxis(), {nan, 1.0, infinity, 3.0}, false);

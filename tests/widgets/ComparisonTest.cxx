@@ -16,6 +16,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "BackgroundTask.h"
 #include "Comparison.h"
 #include "DifferenceArrows.h"
 #include "FaceModel.h"
@@ -112,6 +113,22 @@ TEST_F(Comparison, OfTwoMeshesIsTheDistanceOfTheirSurfaces) {
     for (const char* name : {"Distance", "DistanceVector"})
       expectSameBits(array(comparison()->surface(static_cast<Side>(side)), name),
                      array(filter->GetOutputDataObject(side), name));
+}
+
+/// What is still being measured of another mesh is not shown in place of the counterparts' distances.
+TEST_F(Comparison, CounterpartsAreNotOvertakenByOlderWork) {
+  choose(thisState);
+  window->model().change([](FaceState& state) { state.rows = 83; });
+  ASSERT_TRUE(window->model().update());  // measured to the nearest points, on a thread of its own
+  auto* task = comparison()->findChild<mien::BackgroundTask*>();
+  ASSERT_TRUE(task->isRunning());
+  window->model().change([](FaceState& state) { state.rows = 56; });
+  ASSERT_TRUE(window->model().update());
+  ASSERT_TRUE(comparison()->corresponds());
+  vtkPolyData* counterparts = comparison()->surface(Side::A);
+  EXPECT_TRUE(waitUntil([&] { return !task->isRunning(); }));
+  EXPECT_TRUE(comparison()->corresponds());
+  EXPECT_EQ(comparison()->surface(Side::A), counterparts);
 }
 
 TEST_F(Comparison, OfASchemeFollowsTheFace) {
@@ -283,8 +300,9 @@ TEST_F(Comparison, FitsIntoASmallScreen) {
     if (!control->isVisible() || control->objectName().isEmpty()) continue;
     const QRect place(control->mapTo(area, QPoint()), control->size());
     EXPECT_TRUE(area->rect().contains(place)) << control->objectName().toStdString();
-    if (qobject_cast<QToolButton*>(control))
+    if (qobject_cast<QToolButton*>(control)) {
       EXPECT_GE(control->width(), control->sizeHint().width()) << control->objectName().toStdString();
+    }
   }
 }
 

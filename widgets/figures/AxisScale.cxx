@@ -9,9 +9,9 @@ namespace mien {
 
 namespace {
 
-constexpr double automaticSpan = 50.0;   // from here on small values vanish on a linear axis
-constexpr double mostPlainNumber = 1e6;  // from here on numbers are written as powers of ten ...
-constexpr double mostPlainDecade = 1e4;  // ... and decades from here on, which are compared by their powers
+constexpr double automaticSpan = 50.0;                     // from here on small values vanish on a linear axis
+constexpr double mostPlainNumber = 1e6;                    // from here on numbers are written as powers of ten ...
+constexpr int leastPlainDecade = -3, mostPlainDecade = 3;  // ... and an axis of decades that leaves these
 constexpr double leastPlainNumber = 1e-4;
 constexpr double rounding = 1e-9;  // of a step: ticks that miss the end by rounding still belong to the axis
 
@@ -140,12 +140,13 @@ std::vector<AxisTick> AxisScale::decadeTicks(int most) const {
   const int last = static_cast<int>(std::floor(std::log10(end_) + rounding));
   const int every =
       std::max(1, static_cast<int>(std::ceil((last - first + 1) / static_cast<double>(std::max(1, most)))));
+  const bool powers = first < leastPlainDecade || last > mostPlainDecade;  // all of an axis alike
   std::vector<AxisTick> ticks;
   for (int decade = first; decade <= last; ++decade) {
     const double value = std::pow(10.0, decade);
     const bool named = (decade - first) % every == 0;
     if (value >= begin_ * (1.0 - rounding))
-      ticks.push_back({value, !named ? "" : value < mostPlainDecade ? tickText(value, value) : powerText(value)});
+      ticks.push_back({value, !named ? "" : powers ? powerText(value) : tickText(value, value)});
     if (every == 1) appendMinorTicks(decade, 3 * (last - first + 1) <= most, ticks);
   }
   return ticks;

@@ -39,7 +39,7 @@ struct MotionVectorOptions {
   double width = 85.0;               ///< of the figure, mm
   double height = 0.0;               ///< mm; 0: what the panels need
   bool labelled = true;              ///< (a), (b) .. before several panels
-  bool asRow = false;                ///< headings as those of PanelRow: small, in the middle of their faces
+  bool asRow = false;                ///< headings as those of PanelRow, in the middle of their faces
   int columns = 0;                   ///< of panels; 0: as many as fit legibly
   std::string title, caption, note;  ///< around the panels; may be empty; the sampling is added to the note
 };

@@ -33,11 +33,12 @@ class BrokenTable {
   double height() const {
     double sum = 0.0;
     for (const std::vector<QStringList>& row : rows_) sum += rowHeight(row);
-    return sum + rowPadding_;
+    return sum + groupsHeight() + rowPadding_;
   }
 
   void paint(QPainter& painter, const QRectF& place, const FigureTheme& theme) const {
-    double y = place.top();
+    paintGroups(painter, place, theme);
+    double y = place.top() + groupsHeight();
     for (size_t i = 0; i < rows_.size(); ++i) {
       paintRow(painter, place.left(), y, rows_[i], figureFont(table_.size, i == 0), theme);
       y += rowHeight(rows_[i]);
@@ -86,6 +87,28 @@ class BrokenTable {
           isFixed[c] = any = true;
         }
       if (!any) break;
+    }
+  }
+
+  double groupsHeight() const {
+    return table_.groups.empty() ? 0.0 : lineHeight(figureFont(table_.size, true)) + 2.0 * rowPadding_;
+  }
+
+  /// Each title in the middle over a rule as long as its columns.
+  void paintGroups(QPainter& painter, const QRectF& place, const FigureTheme& theme) const {
+    const QFont font = figureFont(table_.size, true);
+    painter.setFont(font);
+    painter.setPen(QPen(theme.text, figureUnitsFromPoints(0.3)));
+    double x = place.left();
+    size_t column = 0;
+    for (const TextTable::Group& group : table_.groups) {
+      const double left = x + padding_;
+      for (int i = 0; i < group.columns && column < widths_.size(); ++i) x += widths_[column++];
+      if (group.title.empty()) continue;
+      const QString title = QString::fromStdString(group.title);
+      const double y = place.top() + rowPadding_ + 0.95 * font.pixelSize(), rule = place.top() + groupsHeight();
+      painter.drawText(QPointF(0.5 * (left + x - padding_ - textWidth(font, title)), y), title);
+      painter.drawLine(QPointF(left, rule), QPointF(x - padding_, rule));
     }
   }
 

@@ -14,6 +14,12 @@ struct TextTable {
     double share = 1.0;    ///< of the width, against the other columns
     bool numbers = false;  ///< set right, else left
   };
+  /// A heading over several columns.
+  struct Group {
+    std::string title;
+    int columns = 1;
+  };
+  std::vector<Group> groups;  ///< from the left over all columns; may be empty, titles too
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;  ///< as many cells as columns; text is broken to fit
   double size = 6.5;                           ///< pt

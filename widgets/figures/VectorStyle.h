@@ -21,7 +21,7 @@ struct VectorStyle {
   QString family;
   std::string colorMap;
   double scale = 1.0;                       ///< mm of motion per mm of arrow
-  bool asRow = false;                       ///< small headings in the middle
+  bool asRow = false;                       ///< headings in the middle
   double leastShown = 0.0;                  ///< mm; what moves less has no arrow of equal length
   double rangeBegin = 0.0, rangeEnd = 1.0;  ///< mm
   bool lacksTowards = false;                ///< whether the colours have nothing to tell: nothing moves to the viewer

@@ -64,7 +64,6 @@ vtkSmartPointer<vtkPolyData> withNormals(const vtkSmartPointer<vtkPolyData>& sur
 
 DistanceSummary summaryOf(vtkPolyData* surface) {
   vtkDataArray* array = surface->GetPointData()->GetArray("Distance");
-  if (!array) return {};  // of work that was cancelled
   std::vector<double> distances(array->GetNumberOfTuples());
   for (size_t i = 0; i < distances.size(); ++i) distances[i] = array->GetComponent(i, 0);
   const std::vector<double> areas = pointAreas(trianglesOf(surface));
@@ -76,6 +75,7 @@ DistanceSummary summaryOf(vtkPolyData* surface) {
 struct Comparison::Distances {
   Surfaces surfaces;
   std::array<DistanceSummary, 2> summaries;
+  bool corresponds = false;
   std::string fault;
 };
 
@@ -108,9 +108,13 @@ QString Comparison::name() const {
   return kind_ == Kind::Scheme ? scheme_ : kind_ == Kind::Mesh ? QFileInfo(file_).fileName() : words_;
 }
 
+bool Comparison::corresponds() const {
+  return distances_ && distances_->corresponds;
+}
+
 QString Comparison::summary(Side side) const {
   if (!distances_) return {};
-  const QString way = corresponds_ ? tr("Point to point") : side == Side::A ? tr("A to B") : tr("B to A");
+  const QString way = corresponds() ? tr("Point to point") : side == Side::A ? tr("A to B") : tr("B to A");
   return wayText(way, distances_->summaries[static_cast<int>(side)]);
 }
 
@@ -206,14 +210,14 @@ Comparison::Surfaces Comparison::present() const {
 
 void Comparison::measure() {
   const Surfaces surfaces = present();
-  corresponds_ = measureCounterparts(surfaces);
-  if (!corresponds_) measureNearest(surfaces);
+  if (!measureCounterparts(surfaces)) measureNearest(surfaces);
 }
 
 /// Quick enough for the thread of the window. @return whether points and cells are the same
 bool Comparison::measureCounterparts(const Surfaces& surfaces) {
   if (surfaces[0]->GetNumberOfPoints() != surfaces[1]->GetNumberOfPoints()) return false;
   Distances distances;
+  distances.corresponds = true;
   for (int side = 0; side < 2; ++side) {
     vtkNew<vtkMotionVectorFilter> filter;
     PipelineErrors errors;
@@ -226,6 +230,7 @@ bool Comparison::measureCounterparts(const Surfaces& surfaces) {
     distances.surfaces[side] = withArrays(surfaces[side], data->GetArray("Magnitude"), data->GetArray("MotionVector"));
     distances.summaries[side] = summaryOf(distances.surfaces[side]);
   }
+  task_->cancel();  // what it still measures is of surfaces that are gone
   deliver(distances);
   return true;
 }
@@ -250,7 +255,7 @@ void Comparison::measureNearest(const Surfaces& surfaces) {
         distances->fault = errors.first();
         for (int side = 0; side < 2 && distances->fault.empty(); ++side) {
           distances->surfaces[side] = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(side));
-          distances->summaries[side] = summaryOf(distances->surfaces[side]);
+          distances->summaries[side] = filter->GetSummary(side);
         }
         return [this, distances] { deliver(*distances); };
       },

@@ -47,7 +47,7 @@ class Comparison : public QObject {
   FaceModel* other();                     ///< that moves B; of a mesh it only tells how large a face is
   vtkPolyData* mesh() const;              ///< of a file, with normals; nullptr: B is a face
   vtkPolyData* surface(Side side) const;  ///< a side's surface with the arrays; nullptr until it is measured
-  bool corresponds() const { return corresponds_; }
+  bool corresponds() const;               ///< whether it was measured from each point to its counterpart
   QString summary(Side side) const;  ///< RMS, 95 % and largest from that side to the other, in words
 
   /// {"kind": "none" | "state" | "scheme" | "mesh", "state": {..}, "scheme": "..", "file": ".."}, with the FaceState as
@@ -78,7 +78,6 @@ class Comparison : public QObject {
   QString scheme_, file_, words_;
   vtkSmartPointer<vtkPolyData> mesh_;
   Surfaces measured_;
-  bool corresponds_ = false;
   std::unique_ptr<Distances> distances_;
 };
 

@@ -9,12 +9,13 @@
 #include "FaceModel.h"
 #include "FilterProgress.h"
 #include "PipelineErrors.h"
+#include "SurfaceDistance.h"
 
 namespace mien {
 
 struct DistanceMap::Measured {
   vtkSmartPointer<vtkPolyData> map;
-  double rms = 0.0, median = 0.0, percentile95 = 0.0, largest = 0.0;  // mm
+  DistanceSummary summary;
   std::string fault;
 };
 
@@ -63,10 +64,7 @@ DistanceMap::Measured DistanceMap::measure(vtkPolyData* face, vtkPolyData* scan,
   updateWith(goOn, filter);
   measured.fault = errors.first();
   measured.map = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(direction));
-  measured.rms = filter->GetRMSDistance(direction);
-  measured.median = filter->GetMedianDistance(direction);
-  measured.percentile95 = filter->GetPercentile95Distance(direction);
-  measured.largest = filter->GetMaximumDistance(direction);
+  measured.summary = filter->GetSummary(direction);
   return measured;
 }
 
@@ -106,10 +104,10 @@ void DistanceMap::take(const Measured& measured) {
   summary_ = tr("%1%2: RMS %3 mm, median %4, 95 % below %5, largest %6 mm")
                  .arg(subject_ == Subject::Face ? tr("Face to scan") : tr("Scan to face"))
                  .arg(frontal_ ? tr(", z > 50 mm") : QString())
-                 .arg(measured.rms, 0, 'f', 2)
-                 .arg(measured.median, 0, 'f', 2)
-                 .arg(measured.percentile95, 0, 'f', 2)
-                 .arg(measured.largest, 0, 'f', 2);
+                 .arg(measured.summary.rms, 0, 'f', 2)
+                 .arg(measured.summary.median, 0, 'f', 2)
+                 .arg(measured.summary.percentile95, 0, 'f', 2)
+                 .arg(measured.summary.maximum, 0, 'f', 2);
   draw();
   emit changed();
 }

@@ -10,6 +10,7 @@
 #include "Arguments.h"
 #include "Command.h"
 #include "CommandText.h"
+#include "FaceMotion.h"
 #include "FaceOptions.h"
 #include "FaceStateText.h"
 #include "FaceTexture.h"
@@ -56,6 +57,9 @@ FigureSettings settingsOf(const Options& options) {
 /// The command that draws one figure, with the face and figure options of this run that it heeds.
 std::string commandFor(const Options& options, const CatalogueFigure& figure) {
   std::set<std::string> without = {"--output", "--all", "--from", "--format", "--list"};
+  if (!figure.heeds.motion)
+    without.insert({"--fap", "--frame", "--index", "--time", "--expression", "--viseme", "--set"});
+  if (!figure.heeds.table) without.insert({"--fdt", "--fdt-hard"});
   if (!figure.frames) without.insert("--frames");
   if (figure.textures == 0) without.insert("--texture");
   return commandText(*options.command, {figure.id}, without);
@@ -69,15 +73,28 @@ std::string figuresWith(bool (*heeds)(const CatalogueFigure&)) {
   return ids;
 }
 
+/// What a figure has no use for, and which figures have.
+void remarkIgnored(const CatalogueFigure& figure, const std::string& remark, bool (*heeds)(const CatalogueFigure&)) {
+  std::cerr << "mien: " << figure.id << " " << remark << "; " << figuresWith(heeds) << " do\n";
+}
+
 /// Says which options this figure has no use for.
-void remarkUnused(const Options& options, const CatalogueFigure& figure) {
-  const int textures = static_cast<int>(options.textures.size());
+void remarkUnused(const Options& options, const FaceState& state, const CatalogueFigure& figure) {
+  FaceState still = FaceMotion::neutralOf(state);
+  still.deformation = state.deformation;
+  if (still != state && !figure.heeds.motion)
+    remarkIgnored(figure, "has motions of its own or none, so that --fap, --expression, --viseme and --set are ignored",
+                  [](const CatalogueFigure& f) { return f.heeds.motion; });
+  if (!state.deformation.table.empty() && !figure.heeds.table)
+    remarkIgnored(figure, "shows no deformation table on the face, so that --fdt is ignored",
+                  [](const CatalogueFigure& f) { return f.heeds.table; });
   if (!options.frames.empty() && !figure.frames)
-    std::cerr << "mien: " << figure.id << " shows no frames of an animation, so that --frames is ignored; "
-              << figuresWith([](const CatalogueFigure& f) { return f.frames; }) << " do\n";
+    remarkIgnored(figure, "shows no frames of an animation, so that --frames is ignored",
+                  [](const CatalogueFigure& f) { return f.frames; });
+  const int textures = static_cast<int>(options.textures.size());
   if (textures > 0 && figure.textures == 0)
-    std::cerr << "mien: " << figure.id << " shows no texture, so that --texture is ignored; "
-              << figuresWith([](const CatalogueFigure& f) { return f.textures > 0; }) << " do\n";
+    remarkIgnored(figure, "shows no texture, so that --texture is ignored",
+                  [](const CatalogueFigure& f) { return f.textures > 0; });
   else if (textures > figure.textures)
     std::cerr << "mien: " << figure.id << " shows " << figure.textures << " of the " << textures << " textures; "
               << figuresWith([](const CatalogueFigure& f) { return f.textures > 1; }) << " shows several\n";
@@ -96,6 +113,7 @@ void remarkHeight(const Options& options, const CatalogueFigure& figure, const Q
 FigureDrawing write(const Options& options, FigureContext& context, const CatalogueFigure& figure,
                     const std::string& name) {
   const std::string command = commandFor(options, figure);
+  context.begin(figure);
   FigureDrawing drawing = figure.draw(context);
   remarkHeight(options, figure, drawing.size);
   options.figure.write(name, drawing.size, drawing.paint, figure.id + ": " + figure.title,
@@ -107,9 +125,10 @@ void drawOne(const Options& options) {
   requireEnding(options.output, {"svg", "pdf", "png"});
   const OutputFile writable(options.output);
   const CatalogueFigure& figure = catalogueFigure(options.id);
-  remarkUnused(options, figure);
+  const FaceState state = options.face.state();
+  remarkUnused(options, state, figure);
   const FigureApplication application;
-  FigureContext context(options.face.state(), settingsOf(options));
+  FigureContext context(state, settingsOf(options));
   write(options, context, figure, options.output);
 }
 

@@ -8,6 +8,7 @@
 #include "FaceOptions.h"
 #include "FaceScene.h"
 #include "Failure.h"
+#include "FigureCatalogue.h"
 #include "FigurePainter.h"
 #include "OutermostPoints.h"
 #include "PicturePanel.h"
@@ -28,7 +29,12 @@ int pixelsOf(double millimetres, double dotsPerInch) {
 }  // namespace
 
 FigureContext::FigureContext(const FaceState& state, const FigureSettings& settings)
-    : state_(state), settings_(settings) {}
+    : asked_(state), state_(state), settings_(settings) {}
+
+void FigureContext::begin(const CatalogueFigure& figure) {
+  state_ = heededState(figure, asked_);
+  showsFace_ = figure.heeds.face;
+}
 
 FacePipeline& FigureContext::pipeline(const FaceState& state) {
   pipeline_.setState(state);
@@ -138,7 +144,7 @@ double FigureContext::innerWidth() const {
 
 template <class Words>
 void FigureContext::keepWords(Words& words, FigureDrawing& drawing) const {
-  if (words.note.empty()) words.note = faceNote(state_, {state_.surface.scheme});
+  if (words.note.empty()) words.note = showsFace_ ? faceNote(state_, {state_.surface.scheme}) : "Mien " MIEN_VERSION;
   drawing.caption = words.caption;
   drawing.note = words.note;
   if (settings_.captioned) return;

@@ -23,10 +23,15 @@ class vtkPolyData;
 
 namespace mien {
 
+struct CatalogueFigure;
+
 /// What the figures of the catalogue are made with: the face that was asked for and ways to draw it.
 class FigureContext {
  public:
   FigureContext(const FaceState& state, const FigureSettings& settings);
+
+  /// From now on state() is what this figure heeds of the face that was asked for.
+  void begin(const CatalogueFigure& figure);
 
   const FaceState& state() const { return state_; }
   const FigureSettings& settings() const { return settings_; }
@@ -91,7 +96,8 @@ class FigureContext {
   void keepWords(Words& words, FigureDrawing& drawing) const;
   vtkSmartPointer<vtkImageData> textureOf(FacePipeline& pipeline);
 
-  FaceState state_;
+  FaceState asked_, state_;
+  bool showsFace_ = true;
   FigureSettings settings_;
   FacePipeline pipeline_;
   std::map<std::pair<std::string, std::string>, vtkSmartPointer<vtkImageData>> warped_;  ///< by image and mesh

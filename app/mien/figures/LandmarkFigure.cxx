@@ -70,7 +70,7 @@ FigureDrawing drawLandmarks(vtkImageData* photograph, const ImageLandmarks& land
   const double scale = static_cast<double>(picture.width()) / photograph->GetDimensions()[0];
   plate.panels = {overlaidPanel("", picture, drawingOf(landmarks, scale, picture.size()))};
   const auto painter = std::make_shared<PlatePainter>(plate, *FigureTheme::find("light"), figureWidth, false);
-  return {painter->size(), [painter](QPainter& p) { painter->paint(p); }};
+  return {painter->size(), [painter](QPainter& p) { painter->paint(p); }, {}, {}};
 }
 
 ImageLandmarks namedPoints(const WarpMesh& mesh) {

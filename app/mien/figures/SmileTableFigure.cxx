@@ -17,7 +17,7 @@ std::string number(double value) {
 }
 
 std::string withDeviation(const DeformationTable& table, int region, int row, int i) {
-  return number(table.maps[region].coefficients(row, i)) + " ± " + number(table.deviations->at(region)(row, i));
+  return number(table.maps[region].coefficients(row, i)) + "\u2009±\u2009" + number(table.deviations->at(region)(row, i));
 }
 
 enum Columns { Published = 1, Mean = 2 };
@@ -33,16 +33,19 @@ std::vector<std::string> cellsOf(int columns, int region, int row) {
 /// The tables of one axis, side by side where both are asked for, a row for each region.
 PlatePanel coefficientPanel(int columns, int row, double width) {
   TextTable text;
-  text.size = 6.0;
-  text.close = columns != (Published | Mean);  // four tables one below the other are as high as a page
-  text.columns.push_back({"", 0.3});
+  text.size = columns == Mean ? 5.5 : 6.0;  // six numbers with deviations in one column of a page
+  text.close = columns != (Published | Mean);                 // four tables one below the other are as high as a page
+  text.columns.push_back({text.close ? "" : "Region", 0.3});  // deviations need the room of a single column
+  text.groups.push_back({"", 1});
   const std::string letter = row ? "b" : "a";
   for (int i = 1; i <= 6 && (columns & Published); ++i) text.columns.push_back({letter + std::to_string(i), 0.8, true});
-  for (int i = 1; i <= 6 && (columns & Mean); ++i)
-    text.columns.push_back({"mean " + letter + std::to_string(i), 1.4, true});
+  for (int i = 1; i <= 6 && (columns & Mean); ++i) text.columns.push_back({letter + std::to_string(i), 1.4, true});
+  if (columns & Published) text.groups.push_back({"Table I", 6});
+  if (columns & Mean) text.groups.push_back({"Mien's mean smile", 6});
   for (int region = 0; region < FacialRegions::count; ++region) text.rows.push_back(cellsOf(columns, region, row));
-  const std::string of = columns == Published ? ", Table I" : columns == Mean ? ", mean" : "";
-  return tablePanel((row ? "y'" : "x'") + of, text, width);
+  return tablePanel(
+      row ? "y' = b1 x² + b2 xy + b3 y² + b4 x + b5 y + b6" : "x' = a1 x² + a2 xy + a3 y² + a4 x + a5 y + a6", text,
+      width);
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
 #include "OutwardMesh.h"
 
-#include <Eigen/Geometry>
-
 #include "Failure.h"
+#include "MeshCleaning.h"
+#include "MeshData.h"
 #include "MeshFile.h"
 #include "SurfaceFile.h"
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -24,21 +22,12 @@ vtkSmartPointer<vtkPolyData> polygonsOf(vtkDataObject* data) {
   return vtkPolyData::SafeDownCast(data);
 }
 
-/// Six times the volume between the polygons and the middle of their points: negative where they are wound inwards. An
-/// opening, as at the neck, takes little of it.
-double signedVolume(vtkPolyData* mesh) {
-  const Eigen::Vector3d middle = Eigen::Map<const Eigen::Vector3d>(mesh->GetCenter());
-  const auto point = [&](vtkIdType i) {
-    Eigen::Vector3d p;
-    mesh->GetPoint(i, p.data());
-    return Eigen::Vector3d(p - middle);
-  };
-  double volume = 0.0;
-  vtkNew<vtkIdList> corners;
-  for (mesh->GetPolys()->InitTraversal(); mesh->GetPolys()->GetNextCell(corners);)
-    for (vtkIdType k = 2; k < corners->GetNumberOfIds(); ++k)
-      volume += point(corners->GetId(0)).dot(point(corners->GetId(k - 1)).cross(point(corners->GetId(k))));
-  return volume;
+bool isWoundInwards(vtkPolyData* mesh, const std::string& file) {
+  if (mesh->GetNumberOfPolys() == 0) return false;  // strips are drawn as they are
+  TriangleMesh triangles;
+  const std::string fault = readTriangleMesh(mesh, triangles);
+  if (!fault.empty()) throw FileFailure(file + ": " + fault);
+  return signedVolume(triangles) < 0.0;
 }
 
 }  // namespace
@@ -57,7 +46,7 @@ vtkSmartPointer<vtkAlgorithm> outwardMesh(const std::string& file) {
     normals->ConsistencyOff();
     source = normals;
   }
-  if (signedVolume(mesh) >= 0.0) return source;
+  if (!isWoundInwards(mesh, file)) return source;
   const auto reversed = vtkSmartPointer<vtkReverseSense>::New();
   reversed->SetInputConnection(source->GetOutputPort());
   reversed->ReverseNormalsOn();

@@ -44,12 +44,16 @@ vtkSmartPointer<vtkImageData> faceTexture(FacePipeline& pipeline) {
 
 FaceScene::FaceScene(FacePipeline& pipeline, const SceneStyle& style, const vtkSmartPointer<vtkImageData>& texture)
     : SurfaceScene(outwards(pipeline), style), pipeline_(pipeline) {
-  if (style.mesh != SceneStyle::Mesh::Wireframe && style.colorBy.empty()) addMouth();
+  if (showsMouth()) addMouth();
   if (texture) addTexture(texture);
   if (style.curves) addCurves();
 }
 
 FaceScene::~FaceScene() = default;
+
+bool FaceScene::showsMouth() const {
+  return style().mesh != SceneStyle::Mesh::Wireframe && style().colorBy.empty();
+}
 
 /// Else the background shows through an open mouth wherever the back of the head ends.
 void FaceScene::addMouth() {
@@ -95,7 +99,8 @@ void FaceScene::updateCurves() {
 
 vtkSmartPointer<vtkImageData> FaceScene::render() {
   pipeline_.shownCurves()->Update();
-  mouthMapper_->SetInputData(mouthSack(vtkPolyData::SafeDownCast(pipeline_.shownCurves()->GetOutputDataObject(0))));
+  auto* curves = vtkPolyData::SafeDownCast(pipeline_.shownCurves()->GetOutputDataObject(0));
+  if (showsMouth()) mouthMapper_->SetInputData(mouthSack(curves));
   if (style().curves) updateCurves();
   return SurfaceScene::render();
 }

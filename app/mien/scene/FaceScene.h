@@ -24,6 +24,7 @@ class FaceScene : public SurfaceScene {
   vtkSmartPointer<vtkImageData> render();
 
  private:
+  bool showsMouth() const;
   void addMouth();
   void addTexture(vtkImageData* image);
   void addCurves();

@@ -162,16 +162,23 @@ int boundaryLoops(const TriangleMesh& mesh) {
   return static_cast<int>(std::unique(ends.begin(), ends.end()) - ends.begin());
 }
 
-TriangleMesh::Vertices outwardNormals(const TriangleMesh& mesh) {
-  TriangleMesh::Vertices normals = TriangleMesh::Vertices::Zero(mesh.vertices.rows(), 3);
+double signedVolume(const TriangleMesh& mesh) {
   const Eigen::RowVector3d middle = mesh.vertices.colwise().mean();
-  double outwards = 0.0;
+  double volume = 0.0;
   for (int t = 0; t < mesh.triangles.rows(); ++t) {
     const Eigen::RowVector3d area = areaVector(mesh, mesh.triangles.row(t)).transpose();
-    outwards += area.dot(mesh.vertices.row(mesh.triangles(t, 0)) - middle);
+    volume += area.dot(mesh.vertices.row(mesh.triangles(t, 0)) - middle) / 3.0;
+  }
+  return volume;
+}
+
+TriangleMesh::Vertices outwardNormals(const TriangleMesh& mesh) {
+  TriangleMesh::Vertices normals = TriangleMesh::Vertices::Zero(mesh.vertices.rows(), 3);
+  for (int t = 0; t < mesh.triangles.rows(); ++t) {
+    const Eigen::RowVector3d area = areaVector(mesh, mesh.triangles.row(t)).transpose();
     for (int i = 0; i < 3; ++i) normals.row(mesh.triangles(t, i)) += area;
   }
-  if (outwards < 0.0) normals = -normals;
+  if (signedVolume(mesh) < 0.0) normals = -normals;
   for (int i = 0; i < normals.rows(); ++i) normals.row(i).stableNormalize();
   return normals;
 }
