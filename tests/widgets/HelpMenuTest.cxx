@@ -24,11 +24,11 @@ namespace {
 
 class HelpMenu : public StudioFixture {
  protected:
-  /// It goes as soon as events are looked at.
-  bool isTourShown() {
-    for (const auto* tour : window->findChildren<QWidget*>("tour"))
-      if (tour->isVisible()) return true;
-    return false;
+  /// One that is closed goes as soon as events are looked at.
+  QWidget* shownTour() {
+    for (auto* tour : window->findChildren<QWidget*>("tour"))
+      if (tour->isVisible()) return tour;
+    return nullptr;
   }
 };
 
@@ -149,28 +149,28 @@ TEST_F(HelpMenu, TheTourSpeaksOfEveryPartWithoutOverlap) {
         EXPECT_FALSE(tour->calloutOf(i).intersects(tour->calloutOf(other))) << i << " " << other;
     }
     QTest::keyClick(tour, Qt::Key_Escape);
-    EXPECT_FALSE(isTourShown());
+    EXPECT_FALSE(shownTour());
   }
   find<QAction>("actionTour")->trigger();
-  QTest::mouseClick(find<QWidget>("tour"), Qt::LeftButton);
+  QTest::mouseClick(shownTour(), Qt::LeftButton);
   settle();
-  EXPECT_FALSE(isTourShown());
+  EXPECT_FALSE(shownTour());
 }
 
 TEST_F(HelpMenu, TheTourComesOnceForAUserAndNeverToATest) {
   mien::Tour::showAtFirstStart(*window);
   settle();
-  EXPECT_FALSE(isTourShown());
+  EXPECT_FALSE(shownTour());
   QTemporaryDir folder;
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
   QCoreApplication::setOrganizationName("mien-test");
   mien::Tour::showAtFirstStart(*window);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return isTourShown(); }));
-  QTest::keyClick(find<QWidget>("tour"), Qt::Key_Escape);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return shownTour(); }));
+  QTest::keyClick(shownTour(), Qt::Key_Escape);
   settle();
   mien::Tour::showAtFirstStart(*window);
   settle();
-  EXPECT_FALSE(isTourShown());
+  EXPECT_FALSE(shownTour());
   QCoreApplication::setOrganizationName(QString());
 }
 

@@ -6,9 +6,11 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "RenderView.h"
 #include "Theme.h"
@@ -28,25 +30,39 @@ class Enlarged {
         window_(view->renderWindow()),
         size_(window_->GetSize()[0], window_->GetSize()[1]) {
     dotsPerInch_ = window_->GetDPI();
-    factor_ = static_cast<double>(size.height()) / std::max(1, size_.height());
+    const double factor = static_cast<double>(size.height()) / std::max(1, size_.height());
     smooth_ = renderer_->GetUseFXAA();
-    apply(size, factor_, qRound(dotsPerInch_ * factor_));
+    resize(size, qRound(dotsPerInch_ * factor));
+    widen(factor);
     renderer_->SetUseFXAA(false);
   }
   ~Enlarged() {
-    apply(size_, 1.0 / factor_, dotsPerInch_);
+    for (const Widths& widths : widths_) {
+      widths.property->SetLineWidth(widths.line);
+      widths.property->SetPointSize(widths.point);
+    }
+    resize(size_, dotsPerInch_);
     renderer_->SetUseFXAA(smooth_);
   }
   Enlarged(const Enlarged&) = delete;
   Enlarged& operator=(const Enlarged&) = delete;
 
  private:
-  void apply(const QSize& size, double factor, int dotsPerInch) {
+  struct Widths {
+    vtkSmartPointer<vtkProperty> property;
+    float line, point;
+  };
+
+  void resize(const QSize& size, int dotsPerInch) {
     window_->SetSize(size.width(), size.height());
     window_->SetDPI(dotsPerInch);
+  }
+
+  void widen(double factor) {
     vtkActorCollection* actors = renderer_->GetActors();
     for (int i = 0; i < actors->GetNumberOfItems(); ++i) {
       vtkProperty* property = vtkActor::SafeDownCast(actors->GetItemAsObject(i))->GetProperty();
+      widths_.push_back({property, property->GetLineWidth(), property->GetPointSize()});
       property->SetLineWidth(static_cast<float>(factor * property->GetLineWidth()));
       property->SetPointSize(static_cast<float>(factor * property->GetPointSize()));
     }
@@ -56,7 +72,7 @@ class Enlarged {
   vtkRenderWindow* window_;
   QSize size_;
   int dotsPerInch_;
-  double factor_;
+  std::vector<Widths> widths_;
   bool smooth_;
 };
 
@@ -79,6 +95,7 @@ QImage viewPicture(RenderView* view, const QSize& pixels) {
   {
     const Enlarged enlarged(view, drawn);
     view->useTheme();
+    view->renderer()->GradientBackgroundOff();  // which has no opacity of its own
     view->renderer()->SetBackgroundAlpha(Theme::current().viewTop.alphaF());
     view->renderWindow()->Render();
     image = pixelsOf(view->renderWindow(), drawn);
