@@ -1,14 +1,16 @@
 #include "WindowPicture.h"
 
 #include <QApplication>
-#include <QFile>
 #include <QImage>
 #include <QPixmap>
 #include <QTimer>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "FaceModel.h"
-#include "FaceStateText.h"
+#include "FaceState.h"
+#include "FaceStateJson.h"
+#include "SessionFile.h"
 #include "StudioWindow.h"
 
 namespace mien {
@@ -29,10 +31,11 @@ QString WindowPicture::describeEnding(const QString& file) {
 }
 
 QString WindowPicture::show(StudioWindow& window, const QString& stateFile) {
-  QFile file(stateFile);
-  if (!file.open(QIODevice::ReadOnly)) return stateFile + ": " + file.errorString();
+  nlohmann::json session;
+  const QString unread = SessionFile::read(stateFile, session);
+  if (!unread.isEmpty()) return unread;
   FaceState state;
-  const std::string fault = readFaceState(file.readAll().toStdString(), state);
+  const std::string fault = readFaceState(session.value("face", nlohmann::json()), state);
   if (!fault.empty()) return stateFile + ": " + QString::fromStdString(fault);
   window.model().change([&](FaceState& shown) { shown = state; });
   return {};

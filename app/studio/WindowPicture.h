@@ -16,7 +16,8 @@ class WindowPicture : public QObject {
   /// @return nothing, or one sentence when the file is not to be a .png
   static QString describeEnding(const QString& file);
 
-  /// Shows the state of a file written by FaceStateText. @return nothing, or one sentence that says what is wrong
+  /// Shows the face of a session, or of a state as figures carry it. @return nothing, or one sentence that says what is
+  /// wrong
   static QString show(StudioWindow& window, const QString& stateFile);
 
  private:

@@ -48,7 +48,8 @@ struct Options {
   QCommandLineOption table = {
       "fat", "Your own animation table, which says what each FAP moves (`mien fat check` tells what is wrong with it).",
       "FILE.json"};
-  QCommandLineOption state = {"state", "Shows the face of this file, as figures carry it.", "FILE.json"};
+  QCommandLineOption state = {"state", "Shows the face of this session, or of the state that figures carry.",
+                              "FILE.json"};
   QCommandLineOption picture = {
       "picture", "Writes a picture of the window and ends; needs a display, be it one of Xvfb.", "FILE.png"};
 };
@@ -57,7 +58,9 @@ struct Options {
 void read(QCommandLineParser& arguments, const Options& options, const QCoreApplication& application) {
   arguments.setApplicationDescription("Shows and animates a PDE face.");
   arguments.addPositionalArgument(
-      "FILE.fap", "A facial animation to open, .fap or .csv; - plays a .fap stream from standard input.", "[FILE.fap]");
+      "FILE",
+      "A facial animation (.fap, .csv), a session or a table to open; - plays a .fap stream from standard input.",
+      "[FILE]");
   arguments.addOptions({options.play, options.table, options.state, options.picture});
   arguments.addHelpOption();
   arguments.addVersionOption();

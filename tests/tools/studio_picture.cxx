@@ -2,7 +2,8 @@
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
 // Settings: dark, side, fortyfive, mesh=2, color=Patches, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200,
 // a=2, file=X.fap, frame=100, range=50:120, dock=plotDock, compare=X.ply, press=fapAll, scan=X.ply, scale=0.75,
-// workspace=2, tour, focus=spectrumFigure, trigger=actionManual, grab=manualWindow, wait=2000, measure, start.
+// workspace=2, tour, focus=spectrumFigure, trigger=actionManual, grab=manualWindow, menu=editMenu, wait=2000, measure,
+// start, act (what follows is a step of undo).
 
 #include <unistd.h>
 
@@ -13,6 +14,10 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMouseEvent>
+#include <QPainter>
 #include <QSurfaceFormat>
 #include <QTabBar>
 #include <QTableWidget>
@@ -146,6 +151,30 @@ void clickCell(QWidget& window, const QString& cell) {
   wait(500);
 }
 
+/// What follows is the user's own step.
+void act(mien::StudioWindow& window) {
+  for (QEvent::Type type : {QEvent::MouseButtonPress, QEvent::MouseButtonRelease}) {
+    QMouseEvent event(type, {}, Qt::LeftButton, Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&window, &event);
+  }
+}
+
+void openMenu(mien::StudioWindow& window, const QString& name) {
+  auto* menu = window.findChild<QMenu*>(name);
+  const QRect place = window.menuBar()->actionGeometry(menu->menuAction());
+  menu->popup(window.menuBar()->mapToGlobal(place.bottomLeft()));
+  wait(200);
+}
+
+/// The window with what has popped up over it.
+QImage pictureOf(mien::StudioWindow& window) {
+  QPixmap picture = window.grab();
+  QPainter painter(&picture);
+  if (QWidget* popup = QApplication::activePopupWidget())
+    painter.drawPixmap(window.mapFromGlobal(popup->pos()), popup->grab());
+  return picture.toImage().convertToFormat(QImage::Format_RGB888);
+}
+
 /// The entry of a list, or a mesh file.
 void compare(QWidget& window, const QString& with) {
   auto* area = window.findChild<mien::ViewArea*>("viewArea");
@@ -185,6 +214,8 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "tour") mien::Tour::begin(window);
   if (key == "focus") window.findChild<QWidget*>(value)->setFocus();
   if (key == "trigger") window.findChild<QAction*>(value)->trigger();
+  if (key == "menu") openMenu(window, value);
+  if (key == "act") act(window);
   if (key == "measure") measure(window);
   if (key == "wait") wait(value.toInt());
   if (key == "file") window.openAnimation(value);
@@ -216,8 +247,8 @@ int main(int argc, char** argv) {
     if (setting.startsWith("scale=")) share = setting.section('=', 1).toDouble();
   }
   wait(500);
-  QWidget* shown = grabbed.isEmpty() ? &window : window.findChild<QWidget*>(grabbed);
-  const QImage picture = shown->grab().toImage().convertToFormat(QImage::Format_RGB888);
+  QWidget* shown = grabbed.isEmpty() ? nullptr : window.findChild<QWidget*>(grabbed);
+  const QImage picture = shown ? shown->grab().toImage().convertToFormat(QImage::Format_RGB888) : pictureOf(window);
   const int width = static_cast<int>(share * picture.width());
   constexpr int smallestFile = 0;  // as PNG files have no quality to lose
   const QImage scaled = coarse(picture.scaledToWidth(width, Qt::SmoothTransformation));

@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "FaceColoring.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -107,7 +108,7 @@ void ColoringBar::follow() {
     widget->setVisible(coloring_->isNumbers());
   for (QWidget* widget : {begin_, end_}) {
     widget->setEnabled(!coloring_->isAutomatic());
-    widget->setProperty("notInSession", coloring_->isAutomatic());  // as it follows the face
+    widget->setProperty(notInSession, coloring_->isAutomatic());  // as it follows the face
   }
   begin_->setValue(coloring_->begin());
   end_->setValue(coloring_->end());

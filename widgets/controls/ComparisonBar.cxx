@@ -8,6 +8,7 @@
 
 #include "Comparison.h"
 #include "FaceScheme.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -21,7 +22,7 @@ ComparisonBar::ComparisonBar(Comparison* comparison, QWidget* parent)
     : QWidget(parent), comparison_(comparison), choice_(new QComboBox(this)) {
   setObjectName("comparisonBar");
   choice_->setObjectName("compareWith");
-  choice_->setProperty("notInSession", true);  // the comparison itself is
+  choice_->setProperty(notInSession, true);  // the comparison itself is
   choice_->setToolTip(
       tr("Shows a second face B beside A, and how far they lie apart (mm): A as it is now, which stays while A goes "
          "on; A in another scheme, which moves along; or a mesh or scan in mm and in the pose of the face. In any "

@@ -20,6 +20,7 @@
 #include "Exporter.h"
 #include "FigureFile.h"
 #include "Remembered.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -139,7 +140,7 @@ void ExportDialog::buildControls() {
     connect(number, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &ExportDialog::follow);
   connect(transparent_, &QCheckBox::toggled, this, &ExportDialog::follow);
   for (QWidget* widget : std::initializer_list<QWidget*>{format_, theme_, width_, dots_, transparent_})
-    widget->setProperty("notInSession", true);
+    widget->setProperty(notInSession, true);
 }
 
 QWidget* ExportDialog::buttons() {

@@ -8,6 +8,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QSignalBlocker>
 #include <QToolButton>
 #include <QVariant>
 #include <algorithm>
@@ -20,6 +21,7 @@
 #include "FramedButton.h"
 #include "PipelineErrors.h"
 #include "PresentTable.h"
+#include "SessionPart.h"
 #include "TableText.h"
 
 namespace mien {
@@ -77,6 +79,7 @@ void FitBar::describeControls() {
              tr("The neutral face A that tables are fitted from: pressed, the face as it stands now, its FAPs and its "
                 "table; else the face at rest"));
   pin_->setCheckable(true);
+  pin_->setProperty(notInSession, true);  // the table knows its A
   makeFramed(use_, "deformationUse", tr("Use fit"),
              tr("The face goes back to A, and the table fitted from A to the present face bends it; the session keeps "
                 "it. Not where A has a table of its own, as one table bends a face at a time"));
@@ -87,6 +90,10 @@ void FitBar::describeControls() {
 }
 
 void FitBar::showFit() {
+  {
+    const QSignalBlocker quiet(pin_);
+    pin_->setChecked(present_->isPinned());
+  }
   const auto& fit = present_->fit();
   const bool moves = fit && fit->fault.isEmpty() && fit->moves();
   const bool plain = present_->neutralState().deformation.table.empty();

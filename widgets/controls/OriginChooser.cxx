@@ -5,9 +5,11 @@
 #include <QToolButton>
 #include <QVariant>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "FaceModel.h"
 #include "FaceMotion.h"
+#include "FaceStateJson.h"
 #include "Icons.h"
 
 namespace mien {
@@ -34,7 +36,9 @@ QString describe(const FaceModel& model) {
 
 OriginChooser::OriginChooser(FaceModel* model, QWidget* parent)
     : QWidget(parent), model_(model), choice_(new QComboBox(this)), unpin_(new QToolButton(this)) {
+  setObjectName("vectorsPins");
   choice_->setObjectName("vectorsAgainst");
+  choice_->setAccessibleName(tr("Against"));
   choice_->addItems({tr("Neutral face"), tr("Frame before")});
   choice_->setToolTip(
       tr("Where the vectors start: the neutral face, the frame before of the animation, or a state that was pinned"));
@@ -97,6 +101,42 @@ void OriginChooser::pin() {
       {++pinCount_, model_->lastingState(), words.empty() ? tr("the neutral face") : QString::fromStdString(words)});
   choice_->addItem(tr("Pin %1: %2").arg(pinCount_).arg(describe(*model_)), pinCount_);
   choice_->setCurrentIndex(choice_->count() - 1);
+}
+
+nlohmann::json OriginChooser::sessionState() const {
+  nlohmann::json pins = nlohmann::json::array();
+  for (const Pin& pin : pins_)
+    pins.push_back({{"number", pin.number},
+                    {"name", choice_->itemText(choice_->findData(pin.number)).toStdString()},
+                    {"words", pin.words.toStdString()},
+                    {"face", faceStateJson(pin.state)}});
+  return pins;
+}
+
+void OriginChooser::forgetAll() {
+  pins_.clear();
+  pinCount_ = 0;
+  while (choice_->count() > firstPin) choice_->removeItem(choice_->count() - 1);
+}
+
+void OriginChooser::restoreSession(const nlohmann::json& state) {
+  const QString chosen = choice_->currentText();
+  forgetAll();
+  if (!state.is_array()) return;
+  for (const auto& pin : state) {
+    FaceState face;
+    if (!pin.is_object() || !pin.contains("face") || !readFaceState(pin["face"], face).empty()) continue;
+    const auto text = [&](const char* name) {
+      return QString::fromStdString(pin.contains(name) && pin[name].is_string() ? pin[name].get<std::string>() : "");
+    };
+    const bool numbered = pin.contains("number") && pin["number"].is_number_integer();
+    const int number = numbered ? pin["number"].get<int>() : pinCount_ + 1;
+    pinCount_ = std::max(pinCount_, number);
+    pins_.push_back({number, face, text("words")});
+    choice_->addItem(text("name"), number);
+  }
+  choice_->setCurrentIndex(std::max<int>(neutral, choice_->findText(chosen)));
+  emit changed();
 }
 
 void OriginChooser::unpin() {

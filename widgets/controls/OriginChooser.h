@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "FaceState.h"
+#include "SessionPart.h"
 
 class QComboBox;
 class QToolButton;
@@ -15,7 +16,7 @@ class FaceModel;
 
 /// Against what is motion measured? The neutral face, the frame before, or a state that was pinned.
 /// Its widgets are vectorsAgainst, vectorsPin and vectorsUnpin.
-class OriginChooser : public QWidget {
+class OriginChooser : public QWidget, public SessionPart {
   Q_OBJECT
  public:
   OriginChooser(FaceModel* model, QWidget* parent = nullptr);
@@ -23,6 +24,10 @@ class OriginChooser : public QWidget {
   FaceState origin() const;
   bool isFrameBefore() const;  ///< whether the origin is another one for every frame
   QString originName() const;  ///< "the neutral face", "frame 100 of talk.fap, joy"
+
+  nlohmann::json sessionState() const override;  ///< list of the pinned states: `number`, `name`, `words`, `face`
+  QString changeName() const override { return tr("pinned states"); }
+  void restoreSession(const nlohmann::json& state) override;
 
  public slots:
   void pin();    ///< keeps the present state and chooses it
@@ -38,6 +43,7 @@ class OriginChooser : public QWidget {
     QString words;
   };
   const Pin* pinned() const;
+  void forgetAll();
 
   FaceModel* model_;
   QComboBox* choice_;

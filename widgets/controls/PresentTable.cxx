@@ -7,6 +7,7 @@
 #include <vtkVariant.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "BackgroundTask.h"
 #include "DefaultRegions.h"
@@ -15,6 +16,7 @@
 #include "FaceModel.h"
 #include "FaceMotion.h"
 #include "FaceNote.h"
+#include "FaceStateJson.h"
 #include "NamedTables.h"
 #include "PipelineErrors.h"
 
@@ -64,7 +66,9 @@ bool PresentTable::Fit::moves() const {
 }
 
 PresentTable::PresentTable(FaceModel* model, QObject* parent)
-    : QObject(parent), model_(model), task_(new BackgroundTask(this)) {}
+    : QObject(parent), model_(model), task_(new BackgroundTask(this)) {
+  setObjectName("deformationPinned");
+}
 
 /// The task is ended first: what it still delivers must find this object whole.
 PresentTable::~PresentTable() {
@@ -96,6 +100,18 @@ void PresentTable::pin() {
 
 void PresentTable::unpin() {
   pinned_.reset();
+  request();
+}
+
+nlohmann::json PresentTable::sessionState() const {
+  if (!pinned_) return nlohmann::json::object();
+  return {{"face", faceStateJson(*pinned_)}};
+}
+
+void PresentTable::restoreSession(const nlohmann::json& state) {
+  FaceState face;
+  const bool pins = state.is_object() && state.contains("face") && readFaceState(state["face"], face).empty();
+  pinned_ = pins ? std::make_optional(face) : std::nullopt;
   request();
 }
 

@@ -9,6 +9,7 @@
 
 #include "DeformationTable.h"
 #include "FacePipeline.h"
+#include "SessionPart.h"
 #include "TableRecognition.h"
 
 namespace mien {
@@ -20,7 +21,7 @@ class FaceModel;
 ///
 /// A is the face at rest, or one that was pinned with all that moves it, its table too; always of the present surface
 /// and mesh.
-class PresentTable : public QObject {
+class PresentTable : public QObject, public SessionPart {
   Q_OBJECT
  public:
   struct Fit {
@@ -44,6 +45,10 @@ class PresentTable : public QObject {
   void pin();    ///< A is the present face from now on
   void unpin();  ///< A is the face at rest
   bool isPinned() const { return pinned_.has_value(); }
+
+  nlohmann::json sessionState() const override;  ///< `face`: the pinned state; {} without one
+  QString changeName() const override { return tr("pinned face"); }
+  void restoreSession(const nlohmann::json& state) override;
 
   /// A, with the present surface and mesh.
   FaceState neutralState() const;

@@ -11,6 +11,7 @@
 #include <QSignalBlocker>
 #include <QVariant>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "ColorTable.h"
 #include "RenderView.h"
@@ -108,6 +109,7 @@ void VectorControls::add(const QString& name, QWidget* first, QWidget* second) {
   auto* label = new QLabel(name, this);
   label->setBuddy(first);
   first->setAccessibleName(name);
+  if (second) second->setAccessibleName(tr("%1, value").arg(name));
   grid_->addWidget(label, count_, 0);
   grid_->addWidget(first, count_, 1, 1, second ? 1 : 2);
   if (second) grid_->addWidget(second, count_, 2);
@@ -254,16 +256,35 @@ void VectorControls::setRegion(const Eigen::AlignedBox2d& rectangle) {
   const QString name = QStringList{text(rectangle.min().x()), text(rectangle.min().y()), text(rectangle.max().x()),
                                    text(rectangle.max().y())}
                            .join(',');
-  int row = region_->findText(tr("Dragged"));
   {
     const QSignalBlocker quiet(region_);
-    if (row < 0) region_->addItem(tr("Dragged"));
-    row = region_->findText(tr("Dragged"));
-    region_->setItemData(row, name);
-    region_->setItemData(row, tr("%1 mm: left, lower, right and upper end").arg(name), Qt::ToolTipRole);
+    listDragged(name);
     region_->setCurrentIndex(-1);
   }
-  region_->setCurrentIndex(row);
+  region_->setCurrentText(tr("Dragged"));
+}
+
+void VectorControls::listDragged(const QString& name) {
+  if (region_->findText(tr("Dragged")) < 0) region_->addItem(tr("Dragged"));
+  const int row = region_->findText(tr("Dragged"));
+  region_->setItemData(row, name);
+  region_->setItemData(row, tr("%1 mm: left, lower, right and upper end").arg(name), Qt::ToolTipRole);
+}
+
+nlohmann::json VectorControls::sessionState() const {
+  const int row = region_->findText(tr("Dragged"));
+  if (row < 0) return nlohmann::json::object();
+  return {{"dragged", region_->itemData(row).toString().toStdString()}};
+}
+
+void VectorControls::restoreSession(const nlohmann::json& state) {
+  const int row = region_->findText(tr("Dragged"));
+  const bool known = state.is_object() && state.contains("dragged") && state["dragged"].is_string();
+  if (known)
+    listDragged(QString::fromStdString(state["dragged"].get<std::string>()));
+  else if (row >= 0)
+    region_->removeItem(row);
+  emit changed();
 }
 
 void VectorControls::setWholeRegion() {

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include "MotionVectorOptions.h"
+#include "SessionPart.h"
 
 class QCheckBox;
 class QComboBox;
@@ -13,10 +14,11 @@ namespace mien {
 
 class RenderView;
 
-/// How is a motion vector field drawn? Origin, view, region, sampling, arrows, colours, below each other. Its widgets are
-/// named vectorsView, vectorsRegion, vectorsSampling, vectorsSpacing, vectorsScale, vectorsScaleValue, vectorsLength,
-/// vectorsColor, vectorsColorMap, vectorsRange, vectorsRangeValue, vectorsHead, vectorsWhole and vectorsSeams.
-class VectorControls : public QWidget {
+/// How is a motion vector field drawn? Origin, view, region, sampling, arrows, colours, below each other. Its widgets
+/// are named vectorsView, vectorsRegion, vectorsSampling, vectorsSpacing, vectorsScale, vectorsScaleValue,
+/// vectorsLength, vectorsColor, vectorsColorMap, vectorsRange, vectorsRangeValue, vectorsHead, vectorsWhole and
+/// vectorsSeams.
+class VectorControls : public QWidget, public SessionPart {
   Q_OBJECT
  public:
   /// @param view  whose direction can be taken over
@@ -36,6 +38,10 @@ class VectorControls : public QWidget {
   void setRegion(const Eigen::AlignedBox2d& rectangle);
   void setWholeRegion();
 
+  nlohmann::json sessionState() const override;  ///< `dragged`: the rectangle, as VectorRegion reads it
+  QString changeName() const override { return tr("Region"); }
+  void restoreSession(const nlohmann::json& state) override;
+
  signals:
   void changed();
   void scaleChanged();  ///< before changed(), when scale and range may be chosen anew
@@ -50,6 +56,7 @@ class VectorControls : public QWidget {
   void buildArrows();
   void connectAll();
   void followChoices();
+  void listDragged(const QString& name);
   void look(PicturePlane& plane) const;
 
   RenderView* other_;

@@ -79,18 +79,22 @@ ContinuityPanel::~ContinuityPanel() = default;
 
 void ContinuityPanel::describeControls() {
   rows_->setObjectName("continuityRows");
+  rows_->setAccessibleName(tr("Rows"));
   rows_->addItems({tr("Seams"), tr("Schemes")});
   rows_->setToolTip(tr("A row for each of the eight seams, or for each scheme over all seams"));
   part_->setObjectName("continuityPart");
+  part_->setAccessibleName(tr("Part of the seams"));
   part_->addItems({tr("whole"), tr("front only")});
   part_->setToolTip(tr("All of a seam, or its part with z > 50 mm"));
   measure_->setObjectName("continuityMeasure");
+  measure_->setAccessibleName(tr("Profile"));
   for (const SeamMeasureKind& kind : SeamMeasureKind::all()) {
     measure_->addItem(QString::fromStdString(titleWithUnit(kind.axis)));
     measure_->setItemData(measure_->count() - 1, QString::fromStdString(kind.toolTip), Qt::ToolTipRole);
   }
   measure_->setToolTip(tr("What the profile shows along v, and the seams' colours on the face"));
   onFace_->setObjectName("continuityFace");
+  onFace_->setAccessibleName(tr("On the face"));
   onFace_->addItems({tr("Skin"), tr("Seams"), tr("Mean curvature"), tr("Gaussian curvature"), tr("Zebra stripes")});
   onFace_->setToolTip(
       tr("What the face shows: the measure along its seams, curvatures H (1/mm) or K (1/mm\u00b2), or stripes of equal "
@@ -145,7 +149,7 @@ void ContinuityPanel::refresh() {
   measure();
   fillTable();
   showProfile();
-  if (overlay_->isShown()) paintFace();
+  if (onFace_->currentIndex() != Skin) paintFace();
 }
 
 /// Only what is seen: all schemes take six times as long.

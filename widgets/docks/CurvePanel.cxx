@@ -23,6 +23,7 @@
 #include "FaceModel.h"
 #include "FramedButton.h"
 #include "ScanPanel.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -111,35 +112,40 @@ void CurvePanel::describePlace() {
   for (int i = 0; i < FaceLayout::curveCount; ++i) curve_->addItem(QString::fromStdString(FaceLayout::curveName(i)));
   curve_->setCurrentIndex(middle);
   curve_->setObjectName("curveCurve");
+  curve_->setAccessibleName(tr("Curve"));
   curve_->setToolTip(tr("The curve of the point, from C1 at the forehead to C28 at the chin"));
   point_->setObjectName("curvePoint");
+  point_->setAccessibleName(tr("Point"));
   point_->setToolTip(
       tr("The point of the curve, from 0; in the middle of the face is half of their number, more is the "
          "subject's left"));
   width_->setObjectName("curveWidth");
+  width_->setAccessibleName(tr("Width"));
   width_->setRange(1.0, 180.0);
   width_->setValue(CurveEdit().widthDegrees());
   width_->setDecimals(1);
   width_->setSuffix("\u00b0");
   width_->setToolTip(tr("Where along the curve the fall-off ends, degrees of v on either side of the point"));
   spread_->setObjectName("curveSpread");
+  spread_->setAccessibleName(tr("Spread"));
   spread_->setRange(0, CurveEdit::largestSpread);
   spread_->setValue(CurveEdit().spread);
   spread_->setToolTip(tr("How many neighbouring curves follow on either side"));
 }
 
 void CurvePanel::describeMove() {
-  const auto describe = [](QDoubleSpinBox* box, const QString& name, const QString& tip) {
+  const auto describe = [](QDoubleSpinBox* box, const QString& name, const QString& label, const QString& tip) {
     box->setObjectName(name);
+    box->setAccessibleName(label);
     box->setRange(-CurveEdit::largestMove, CurveEdit::largestMove);
     box->setDecimals(2);
     box->setSingleStep(0.5);
     box->setSuffix(" mm");
     box->setToolTip(tip);
   };
-  describe(dx_, "curveDx", tr("How far the point moves towards the subject's left"));
-  describe(dy_, "curveDy", tr("How far the point moves up"));
-  describe(dz_, "curveDz", tr("How far the point moves forward"));
+  describe(dx_, "curveDx", tr("Move to the left"), tr("How far the point moves towards the subject's left"));
+  describe(dy_, "curveDy", tr("Move up"), tr("How far the point moves up"));
+  describe(dz_, "curveDz", tr("Move forward"), tr("How far the point moves forward"));
   mirror_->setObjectName("curveMirror");
   mirror_->setChecked(true);
   mirror_->setToolTip(tr("The other side of the face moves as the mirror image"));
@@ -151,6 +157,7 @@ void CurvePanel::describeButtons() {
              tr("Points of the curves are dragged with the mouse in the view Curves, in its plane, with this width, "
                 "spread and mirror; Escape cancels a drag"));
   drag_->setCheckable(true);
+  drag_->setProperty(notInSession, true);  // a mode of the mouse
   makeFramed(undo_, "curveUndo", tr("Undo"), tr("Takes the last move back"));
   makeFramed(remove_, "curveRemove", tr("Remove"), tr("Takes the chosen move out of the list"));
   makeFramed(clear_, "curveClear", tr("Remove all"), tr("The curves as they were read"));

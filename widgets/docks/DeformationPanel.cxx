@@ -169,7 +169,8 @@ void DeformationPanel::connectControls() {
   connect(coefficients_, &QTableWidget::currentCellChanged, this, [this] { showRegion(false); });
   connect(coefficients_, &QTableWidget::cellClicked, this, [this] { showRegion(true); });
   connect(coefficients_, &QTableWidget::cellActivated, this, [this] { showRegion(true); });
-  connect(onFace_, &QToolButton::clicked, this, [this](bool on) {
+  connect(onFace_, &QToolButton::toggled, this, [this](bool on) {
+    if (on == overlay_->isShown()) return;
     overlay_->emphasise(0);
     on ? overlay_->show() : overlay_->hide();
     onFace_->setChecked(overlay_->isShown());

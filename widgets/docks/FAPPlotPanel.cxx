@@ -5,8 +5,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QPainter>
-#include <QPixmap>
 #include <QSignalBlocker>
 #include <QTimer>
 #include <QToolButton>
@@ -14,6 +12,7 @@
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "AnimationPlayer.h"
 #include "ExportButton.h"
@@ -22,8 +21,8 @@
 #include "FaceModel.h"
 #include "FigureView.h"
 #include "NumberText.h"
-#include "ScreenFigure.h"
 #include "SeriesStyle.h"
+#include "SeriesSwatch.h"
 
 namespace mien {
 
@@ -35,8 +34,6 @@ constexpr double zoomStep = 1.6;      // of a button
 constexpr double fewestFrames = 4.0;  // in the plot
 constexpr double headRadius = 100.0;  // mm: what an angle of the head moves, to compare it with distances
 constexpr int growthWait = 200;       // ms between pictures of a stream that grows
-constexpr int swatchWidth = 34, swatchHeight = 12;
-constexpr double swatchScale = 0.045;  // pixels per figure unit
 
 int fapOf(const QListWidgetItem* item) {
   return item->data(Qt::UserRole).toInt();
@@ -64,21 +61,6 @@ double rangeOf(const FAPSequence& motion, int fap) {
   return most - least;
 }
 
-QIcon swatch(int style) {
-  QPixmap picture(2 * QSize(swatchWidth, swatchHeight));
-  picture.fill(Qt::transparent);
-  if (style < 0) return QIcon(picture);
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.scale(2.0 * swatchScale, 2.0 * swatchScale);
-  const SeriesStyle drawn(screenTheme(), style);
-  const double width = swatchWidth / swatchScale, middle = 0.5 * swatchHeight / swatchScale;
-  painter.setPen(drawn.linePen());
-  painter.drawLine(QPointF(0.0, middle), QPointF(width, middle));
-  drawn.drawMarker(painter, {0.5 * width, middle});
-  return QIcon(picture);
-}
-
 QToolButton* button(QWidget* parent, const char* name, const QString& text, const QString& tip) {
   auto* made = new QToolButton(parent);
   made->setObjectName(name);
@@ -104,7 +86,7 @@ FAPPlotPanel::FAPPlotPanel(FaceModel* model, AnimationPlayer* player, QWidget* p
   growth_->setInterval(growthWait);
   list_->setObjectName("plotFAPs");
   list_->setSelectionMode(QAbstractItemView::MultiSelection);
-  list_->setIconSize({swatchWidth, swatchHeight});
+  list_->setIconSize(swatchSize);
   list_->setFixedWidth(listWidth);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setToolTip(
@@ -154,6 +136,7 @@ QWidget* FAPPlotPanel::controls() {
 
 void FAPPlotPanel::connectAll() {
   connect(model_, &FaceModel::animationChanged, this, [this] {
+    asked_.reset();
     outdated_ = true;
     if (isVisible()) followAnimation();
   });
@@ -163,7 +146,7 @@ void FAPPlotPanel::connectAll() {
   });
   connect(model_, &FaceModel::stateChanged, this, &FAPPlotPanel::followFrame);
   connect(player_, &AnimationPlayer::rangeChanged, this, &FAPPlotPanel::followRange);
-  connect(list_, &QListWidget::itemSelectionChanged, this, &FAPPlotPanel::followChoice);
+  connect(list_, &QListWidget::itemSelectionChanged, this, &FAPPlotPanel::choose);
   connect(figure_, &FigureView::picked, this, [this](double time) {
     const double position = time * model_->motion().framesPerSecond;
     player_->seek(model_->interpolates() ? position : std::round(position));
@@ -196,7 +179,7 @@ void FAPPlotPanel::followAnimation() {
   begin_ = 0.0;
   end_ = duration();
   listFAPs();
-  chooseSome();
+  asked_ ? select(*asked_) : chooseSome();
   followRange();
   followFrame();
 }
@@ -234,7 +217,7 @@ void FAPPlotPanel::listFAPs() {
   int still = 0;
   for (const FAPDefinition& fap : fapTable) {
     if (fap.number < FAPFrame::firstLowLevel || !(rangeOf(model_->motion(), fap.number) > 0.0)) continue;
-    auto* item = new QListWidgetItem(swatch(-1), QString("%1 %2").arg(fap.number).arg(fapLabel(fap)), list_);
+    auto* item = new QListWidgetItem(seriesSwatch(-1), QString("%1 %2").arg(fap.number).arg(fapLabel(fap)), list_);
     item->setData(Qt::UserRole, fap.number);
     item->setToolTip(fapToolTip(fap, model_->millimetresPerUnit(fap.number)));
     if (model_->moves(fap.number)) continue;
@@ -272,6 +255,39 @@ void FAPPlotPanel::chooseSome() {
   followChoice();
 }
 
+void FAPPlotPanel::choose() {
+  followChoice();
+  asked_.emplace();
+  for (int i = 0; i < list_->count(); ++i)
+    if (list_->item(i)->isSelected()) asked_->push_back(fapOf(list_->item(i)));
+}
+
+void FAPPlotPanel::select(const std::vector<int>& faps) {
+  {
+    const QSignalBlocker quiet(list_);
+    for (int i = 0; i < list_->count(); ++i)
+      list_->item(i)->setSelected(std::count(faps.begin(), faps.end(), fapOf(list_->item(i))) > 0);
+  }
+  followChoice();
+}
+
+nlohmann::json FAPPlotPanel::sessionState() const {
+  if (!asked_) return nlohmann::json::object();
+  return {{"faps", *asked_}};
+}
+
+void FAPPlotPanel::restoreSession(const nlohmann::json& state) {
+  asked_.reset();
+  if (state.is_object() && state.contains("faps") && state["faps"].is_array()) {
+    asked_.emplace();
+    for (const auto& fap : state["faps"])
+      if (fap.is_number_integer()) asked_->push_back(fap.get<int>());
+  }
+  if (outdated_) return;
+  select(asked_.value_or(std::vector<int>()));
+  if (!asked_) chooseSome();
+}
+
 /// A FAP keeps its colour as long as it stays chosen.
 void FAPPlotPanel::followChoice() {
   const auto isGone = [this](const PlottedFAP& plotted) {
@@ -305,7 +321,7 @@ void FAPPlotPanel::drawSwatches() {
     int style = -1;
     for (const PlottedFAP& plotted : chosen_)
       if (plotted.fap == fapOf(list_->item(i))) style = plotted.style;
-    list_->item(i)->setIcon(swatch(style));
+    list_->item(i)->setIcon(seriesSwatch(style));
   }
 }
 

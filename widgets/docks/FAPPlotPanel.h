@@ -1,8 +1,11 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
+#include <vector>
 
 #include "FAPPlotFigure.h"
+#include "SessionPart.h"
 
 class QHBoxLayout;
 class QLabel;
@@ -18,7 +21,7 @@ class FigureView;
 
 /// How do the FAPs of the animation go over time? Those chosen in a list, which is the legend as well; the line is the
 /// frame shown, and dragging it scrubs.
-class FAPPlotPanel : public QWidget {
+class FAPPlotPanel : public QWidget, public SessionPart {
   Q_OBJECT
  public:
   FAPPlotPanel(FaceModel* model, AnimationPlayer* player, QWidget* parent = nullptr);
@@ -26,6 +29,10 @@ class FAPPlotPanel : public QWidget {
 
   double shownBegin() const { return begin_; }  ///< s
   double shownEnd() const { return end_; }      ///< s
+
+  nlohmann::json sessionState() const override;  ///< `faps`: those that the user has chosen; {} before that
+  QString changeName() const override { return tr("plotted FAPs"); }
+  void restoreSession(const nlohmann::json& state) override;
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -37,7 +44,9 @@ class FAPPlotPanel : public QWidget {
   void followAnimation();
   void followGrowth();
   void listFAPs();
+  void choose();
   void chooseSome();
+  void select(const std::vector<int>& faps);
   void followChoice();
   void addChosen(QListWidgetItem* item);
   void followFrame();
@@ -60,6 +69,7 @@ class FAPPlotPanel : public QWidget {
   double known_ = 0.0;              ///< s, of the animation when its FAPs were listed
   QTimer* growth_;
   bool outdated_ = true;
+  std::optional<std::vector<int>> asked_;  ///< what the user has chosen, in the order of the list
 };
 
 }  // namespace mien

@@ -18,9 +18,11 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
+#include <nlohmann/json.hpp>
 
 #include "Acquire.h"
 #include "BackgroundTask.h"
@@ -96,10 +98,12 @@ void ScanPanel::describeButtons() {
   makeFramed(landmarks_, "scanLandmarks", tr("Landmarks..."),
              tr("Landmarks of the scan from a .csv; without one they are found by fitting the generic face"));
   landmarks_->setCheckable(true);
+  landmarks_->setProperty(notInSession, true);  // asks for a file
   makeFramed(adopt_, "scanAdopt", tr("Adopt curves..."),
              tr("Writes the scan's curves as .vtp and makes them the face"));
   makeFramed(cancel_, "scanCancel", tr("Cancel"), tr("Stops measuring the scan"));
   unit_->setObjectName("scanUnit");
+  unit_->setAccessibleName(tr("Unit of the scan"));
   unit_->addItem(tr("Unit found"), QString());
   for (const char* unit : {"mm", "cm", "m", "inch"}) unit_->addItem(unit, unit);
   unit_->setToolTip(tr("What the scan's lengths are in, where that is not recognised"));
@@ -118,9 +122,11 @@ void ScanPanel::describeButtons() {
 
 void ScanPanel::describeMap() {
   subject_->setObjectName("scanDistances");
+  subject_->setAccessibleName(tr("Distances"));
   subject_->addItems({tr("not shown"), tr("on the face"), tr("on the scan")});
   subject_->setToolTip(tr("Colours the face, or the scan, by the distance to the other"));
   largest_->setObjectName("scanLargest");
+  largest_->setAccessibleName(tr("Largest distance"));
   largest_->setRange(0.1, 100.0);
   largest_->setDecimals(1);
   largest_->setValue(5.0);
@@ -202,6 +208,7 @@ void ScanPanel::openDropped(const QString& fileName) {
 
 void ScanPanel::open(const QString& fileName) {
   file_ = fileName;
+  emit opened();
   measure();
 }
 
@@ -209,6 +216,7 @@ void ScanPanel::openLandmarks(const QString& fileName) {
   landmarkFile_ = fileName;
   landmarks_->setChecked(!fileName.isEmpty());
   showLandmarkFile();
+  emit opened();
   measure();
 }
 
@@ -223,8 +231,36 @@ bool ScanPanel::isMeasuring() const {
   return task_->isRunning();
 }
 
+nlohmann::json ScanPanel::sessionState() const {
+  return {{"scan", file_.toStdString()}, {"landmarks", landmarkFile_.toStdString()}};
+}
+
+/// Measured when the unit has been chosen as well.
+void ScanPanel::restoreSession(const nlohmann::json& state) {
+  const auto name = [&](const char* member) {
+    return state.is_object() && state.contains(member) && state[member].is_string()
+               ? QString::fromStdString(state[member].get<std::string>())
+               : QString();
+  };
+  file_ = name("scan");
+  landmarkFile_ = name("landmarks");
+  landmarks_->setChecked(!landmarkFile_.isEmpty());
+  showLandmarkFile();
+  if (file_.isEmpty()) return close();
+  QTimer::singleShot(0, this, &ScanPanel::measure);
+}
+
+void ScanPanel::close() {
+  task_->cancel();
+  curves_ = nullptr;
+  scan_ = nullptr;
+  text_.clear();
+  map_->setScan(nullptr);
+  showScan();
+  showReport();
+}
+
 void ScanPanel::measure() {
-  emit opened();
   if (file_.isEmpty()) return;
   AcquireOptions options;
   options.landmarkFile = landmarkFile_.toStdString();

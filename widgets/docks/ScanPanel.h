@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "DistanceMap.h"
+#include "SessionPart.h"
 
 class QCheckBox;
 class QComboBox;
@@ -26,7 +27,7 @@ class FaceView;
 
 /// What face does a scan have, and how far is the present one from it? A scan is measured off the GUI thread and shown
 /// beside the face; its curves can become the face, and distances are shown as colours.
-class ScanPanel : public QWidget {
+class ScanPanel : public QWidget, public SessionPart {
   Q_OBJECT
  public:
   ScanPanel(FaceModel* model, FaceView* view, QWidget* parent = nullptr);
@@ -40,6 +41,10 @@ class ScanPanel : public QWidget {
   bool isMeasuring() const;
   bool hasScan() const { return scan_; }
 
+  nlohmann::json sessionState() const override;  ///< file names `scan` and `landmarks`; empty without
+  QString changeName() const override { return tr("scan"); }
+  void restoreSession(const nlohmann::json& state) override;
+
  signals:
   void opened();  ///< whatever came of it
 
@@ -51,6 +56,7 @@ class ScanPanel : public QWidget {
   void connectButtons();
   void connectMap();
   void measure();
+  void close();
   void take(const Found& found);
   void choose();
   void chooseLandmarks(bool on);

@@ -122,6 +122,7 @@ void SmoothingPanel::describeControls() {
   allSchemes_->setObjectName("smoothingAllSchemes");
   allSchemes_->setToolTip(tr("A line for every scheme; a cross where its surface is no face any more"));
   range_->setObjectName("smoothingRange");
+  range_->setAccessibleName(tr("Values of a"));
   range_->setToolTip(
       tr("The values of a (no unit): 0.1:100:31log is 31 values, each the same factor larger; 0.5,1,2 a list"));
   range_->setMaximumWidth(130);

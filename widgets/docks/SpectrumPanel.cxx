@@ -105,6 +105,7 @@ SpectrumPanel::~SpectrumPanel() = default;
 
 QWidget* SpectrumPanel::controls() {
   measure_->setObjectName("spectrumMeasure");
+  measure_->setAccessibleName(tr("Measure"));
   measure_->addItems({tr("RMS (mm)"), tr("Share of the energy")});
   measure_->setToolTip(
       tr("What the bars show: the RMS length of S<sub>n</sub>(u, v) in mm, or its square's share of the sum over all "
@@ -145,7 +146,10 @@ void SpectrumPanel::connectControls() {
   connect(figure_, &FigureView::picked, this, [this](double x) { choose(static_cast<int>(std::lround(x))); });
   connect(figure_, &FigureView::stepped, this, [this](int steps) { choose(row_ + steps); });
   connect(partial_, &QCheckBox::toggled, this, [this] { refresh(); });
-  connect(onFace_, &QToolButton::clicked, this, [this](bool on) { on ? paintFace() : overlay_->hide(); });
+  connect(onFace_, &QToolButton::toggled, this, [this](bool on) {
+    if (!on) return overlay_->hide();
+    if (!overlay_->isShown() && (rowCount() > 0 || measure())) paintFace();
+  });
   connect(overlay_, &FaceOverlay::shownChanged, onFace_, &QToolButton::setChecked);
 }
 

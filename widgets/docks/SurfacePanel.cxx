@@ -69,6 +69,7 @@ void SurfacePanel::addSmoothing(QFormLayout* form) {
 
 void SurfacePanel::addModes(QFormLayout* form) {
   modes_->setObjectName("surfaceModes");
+  modes_->setAccessibleName(tr("Modes N"));
   modes_->setToolTip(tr("N, how many Fourier modes are solved exactly (5 in the paper)"));
   modes_->setRange(0, model_->pointsPerCurve() / 2);
   modes_->setKeyboardTracking(false);
@@ -87,9 +88,11 @@ void SurfacePanel::addModes(QFormLayout* form) {
 
 void SurfacePanel::addResolution(QFormLayout* form) {
   rows_->setObjectName("surfaceRows");
+  rows_->setAccessibleName(tr("Rows of the mesh"));
   rows_->setToolTip(tr("Rows of the mesh, from the top of the head down"));
   rows_->setRange(11, mostRows);
   columns_->setObjectName("surfaceColumns");
+  columns_->setAccessibleName(tr("Columns of the mesh"));
   columns_->setToolTip(tr("Columns of the mesh, around the head"));
   columns_->setRange(FaceState::smallestColumns, mostColumns);
   for (QSpinBox* box : {rows_, columns_}) {

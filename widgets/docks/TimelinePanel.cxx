@@ -13,6 +13,7 @@
 #include "AnimationPlayer.h"
 #include "FaceModel.h"
 #include "Icons.h"
+#include "SessionPart.h"
 #include "ValueSlider.h"
 
 namespace mien {
@@ -97,6 +98,8 @@ void TimelinePanel::buildPosition() {
   position_->setPageStep(10);
   position_->setAccessibleName(tr("Position in the animation"));
   position_->setToolTip(tr("The frame that is shown; arrow keys step by one, Page up and down by ten"));
+  for (QWidget* widget : {static_cast<QWidget*>(position_), static_cast<QWidget*>(frame_)})
+    widget->setProperty(notInSession, true);  // the state has the frame
   frame_->setObjectName("timelineFrame");
   frame_->setKeyboardTracking(false);
   frame_->setAlignment(Qt::AlignRight);
@@ -112,6 +115,7 @@ void TimelinePanel::buildRange() {
     button->setToolTip(tip);
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);
+    button->setProperty(notInSession, true);  // the player has the range, the state the interpolation
     return button;
   };
   in_ = make("timelineIn", tr("In"), tr("The range to play begins at this frame; again: at the first"));

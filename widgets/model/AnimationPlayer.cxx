@@ -3,6 +3,7 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "FaceModel.h"
 
@@ -18,6 +19,7 @@ constexpr int rateInterval = 1000;                  // ms
 
 AnimationPlayer::AnimationPlayer(FaceModel* model, QObject* parent)
     : QObject(parent), model_(model), timer_(new QTimer(this)) {
+  setObjectName("animationPlayer");
   timer_->setTimerType(Qt::PreciseTimer);
   timer_->setSingleShot(true);
   connect(timer_, &QTimer::timeout, this, &AnimationPlayer::tick);
@@ -33,6 +35,19 @@ bool AnimationPlayer::hasRange() const {
 
 void AnimationPlayer::resetRange() {
   setRange(0, model_->frameCount() - 1);
+}
+
+nlohmann::json AnimationPlayer::sessionState() const {
+  if (!hasRange()) return nlohmann::json::object();
+  return {{"begin", begin_}, {"end", end_}};
+}
+
+void AnimationPlayer::restoreSession(const nlohmann::json& state) {
+  const auto frame = [&](const char* name, int otherwise) {
+    const auto found = state.is_object() ? state.find(name) : state.end();
+    return found != state.end() && found->is_number_integer() ? found->get<int>() : otherwise;
+  };
+  setRange(frame("begin", 0), frame("end", model_->frameCount() - 1));
 }
 
 /// An end that the user has set stays; one that is the animation's moves with it.

@@ -3,6 +3,8 @@
 #include <QElapsedTimer>
 #include <QObject>
 
+#include "SessionPart.h"
+
 class QTimer;
 
 namespace mien {
@@ -11,7 +13,7 @@ class FaceModel;
 
 /// Plays the model's animation, or a range of it, at the file's own rate or a multiple; frames that the computer is too
 /// slow for are left out.
-class AnimationPlayer : public QObject {
+class AnimationPlayer : public QObject, public SessionPart {
   Q_OBJECT
  public:
   explicit AnimationPlayer(FaceModel* model, QObject* parent = nullptr);
@@ -21,6 +23,10 @@ class AnimationPlayer : public QObject {
   int rangeBegin() const { return begin_; }  ///< first frame that is played, from 0
   int rangeEnd() const { return end_; }      ///< last frame that is played
   bool hasRange() const;                     ///< whether that is not all
+
+  nlohmann::json sessionState() const override;  ///< `begin` and `end` of the range; {} without one
+  QString changeName() const override { return tr("range to play"); }
+  void restoreSession(const nlohmann::json& state) override;
 
  public slots:
   void play();  ///< from the current frame, or from the first of the range when that is its last or outside

@@ -14,7 +14,7 @@
 #include "BackgroundTask.h"
 #include "FaceModel.h"
 #include "FaceScheme.h"
-#include "FaceStateText.h"
+#include "FaceStateJson.h"
 #include "FilterProgress.h"
 #include "MeshReading.h"
 #include "PipelineErrors.h"
@@ -275,7 +275,7 @@ void Comparison::deliver(const Distances& distances) {
 
 json Comparison::sessionState() const {
   json state = {{"kind", kindNames[static_cast<int>(kind_)]}};
-  if (kind_ == Kind::State) state["state"] = json::parse(writeFaceState(other_->state()));
+  if (kind_ == Kind::State) state["state"] = faceStateJson(other_->state());
   if (kind_ == Kind::Scheme) state["scheme"] = scheme_.toStdString();
   if (kind_ == Kind::Mesh) state["file"] = file_.toStdString();
   return state;
@@ -292,7 +292,7 @@ void Comparison::restoreSession(const json& state) {
   if (kind != "state") return clear();
   FaceState pinned;
   const auto found = state.find("state");
-  const std::string fault = readFaceState(found == state.end() ? std::string() : found->dump(), pinned);
+  const std::string fault = readFaceState(found == state.end() ? json() : *found, pinned);
   if (fault.empty()) return pin(pinned);
   emit model_->failed(tr("B cannot be shown: %1").arg(QString::fromStdString(fault)), QString());
 }

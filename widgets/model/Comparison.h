@@ -7,10 +7,10 @@
 #include <QString>
 #include <array>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "FaceState.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -23,7 +23,7 @@ class FaceModel;
 /// Each side's surface carries the point arrays `Distance` (mm, double) and `DistanceVector` (3 components, mm, double)
 /// to the other: where both have the same points and cells, from each point to its counterpart (vtkMotionVectorFilter);
 /// else to the nearest point of the other surface (vtkSurfaceDistanceFilter), off the GUI thread.
-class Comparison : public QObject {
+class Comparison : public QObject, public SessionPart {
   Q_OBJECT
  public:
   enum class Kind { None, State, Scheme, Mesh };
@@ -52,8 +52,9 @@ class Comparison : public QObject {
 
   /// {"kind": "none" | "state" | "scheme" | "mesh", "state": {..}, "scheme": "..", "file": ".."}, with the FaceState as
   /// FaceStateText writes it.
-  nlohmann::json sessionState() const;
-  void restoreSession(const nlohmann::json& state);  ///< failed() of the model tells what cannot be shown
+  nlohmann::json sessionState() const override;
+  QString changeName() const override { return tr("comparison"); }
+  void restoreSession(const nlohmann::json& state) override;  ///< failed() of the model tells what cannot be shown
 
  signals:
   void changed();   ///< another B, or none

@@ -98,6 +98,10 @@ bool FaceModel::update() {
   return fault.isEmpty();
 }
 
+bool FaceModel::isSettled() const {
+  return !idle_->isActive();
+}
+
 void FaceModel::accept() {
   const bool otherFile = reopened_ || good_.fapFile != state_.fapFile || isReadAnew();
   const bool otherFace = good_.curvesFile != state_.curvesFile;

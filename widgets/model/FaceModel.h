@@ -39,6 +39,7 @@ class FaceModel : public QObject {
   /// Brings the pipeline up to date with the state. A state that the pipeline refuses is taken back to the last
   /// good one, and failed() says why. @return whether the state was good
   bool update();
+  bool isSettled() const;  ///< whether the picture shows the state, as update() makes it
 
   /// Opens a .fap file at its first frame. When it has a fault all stays as it was. @return whether it was good
   bool openAnimation(const QString& fileName);

@@ -15,6 +15,8 @@
 #include <QVariant>
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "FaceModel.h"
 #include "MotionReach.h"
@@ -33,6 +35,20 @@ constexpr double mostReach = 0.6;               // values beyond all sense must 
 
 double degrees(RenderView::Side side) {
   return side == RenderView::Side::Front ? 0.0 : side == RenderView::Side::FortyFive ? 45.0 : 90.0;
+}
+
+constexpr const char* sideNames[] = {"front", "45", "side"};
+
+nlohmann::json listOf(const double* vector) {
+  return {vector[0], vector[1], vector[2]};
+}
+
+std::optional<std::array<double, 3>> vectorIn(const nlohmann::json& state, const char* name) {
+  const auto list = state.find(name);
+  if (list == state.end() || !list->is_array() || list->size() != 3) return {};
+  for (const auto& value : *list)
+    if (!value.is_number()) return {};
+  return list->get<std::array<double, 3>>();
 }
 
 /// Of a camera that looks at one side of the face.
@@ -236,6 +252,33 @@ void RenderView::forget(const RenderView* other) {
 
 vtkCamera* RenderView::camera() const {
   return renderer_->GetActiveCamera();
+}
+
+nlohmann::json RenderView::sessionState() const {
+  nlohmann::json state = {{"side", sideNames[static_cast<int>(side_)]}};
+  if (!moved_) return state;
+  state["position"] = listOf(camera()->GetPosition());
+  state["focus"] = listOf(camera()->GetFocalPoint());
+  state["up"] = listOf(camera()->GetViewUp());
+  return state;
+}
+
+/// Each view for itself, as a linked one has been kept too.
+void RenderView::restoreSession(const nlohmann::json& state) {
+  if (!state.is_object()) return;
+  const auto name = state.find("side");
+  for (Side side : {Side::Front, Side::FortyFive, Side::Profile})
+    if (name != state.end() && *name == sideNames[static_cast<int>(side)]) side_ = side;
+  moved_ = false;
+  placeCamera();
+  const auto position = vectorIn(state, "position"), focus = vectorIn(state, "focus"), up = vectorIn(state, "up");
+  moved_ = position && focus && up && *position != *focus;
+  if (moved_) {
+    camera()->SetPosition(position->data());
+    camera()->SetFocalPoint(focus->data());
+    camera()->SetViewUp(up->data());
+  }
+  redraw();
 }
 
 void RenderView::redraw() {

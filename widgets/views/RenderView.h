@@ -8,6 +8,8 @@
 #include <array>
 #include <vector>
 
+#include "SessionPart.h"
+
 class vtkCamera;
 class vtkGenericOpenGLRenderWindow;
 class vtkRenderer;
@@ -20,7 +22,7 @@ class FaceModel;
 ///
 /// The face, and all that it reaches while it moves, fills the view until the user moves the camera; fit() goes back to
 /// that.
-class RenderView : public QVTKOpenGLNativeWidget {
+class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   Q_OBJECT
  public:
   enum class Side { Front, FortyFive, Profile };
@@ -39,6 +41,11 @@ class RenderView : public QVTKOpenGLNativeWidget {
   void unlink();  ///< from all
   bool isLinked() const { return !partners_.empty(); }
   vtkCamera* camera() const;
+
+  /// `side`, and where the user has placed the camera `position`, `focus` and `up` (mm).
+  nlohmann::json sessionState() const override;
+  void restoreSession(const nlohmann::json& state) override;
+  bool isUndoable() const override { return false; }
 
   vtkRenderer* renderer() const { return renderer_; }
   void redraw();            ///< with the next paint event

@@ -15,6 +15,7 @@
 #include "Citations.h"
 #include "LibraryVersions.h"
 #include "LicenceText.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -37,7 +38,7 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent), pages_(new QTabWidg
   setWindowTitle(tr("About Mien Studio"));
   resize(startWidth, startHeight);
   pages_->setObjectName("aboutPages");
-  pages_->setProperty("notInSession", true);
+  pages_->setProperty(notInSession, true);
   auto* title = new QLabel(tr("<h2>Mien Studio</h2><p>A face of nine PDE surface patches between 29 boundary curves, "
                               "animated by MPEG-4 FAPs "
                               "and deformed by facial deformation tables.</p>"),

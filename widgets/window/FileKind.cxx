@@ -6,6 +6,7 @@
 
 #include "CommaReader.h"
 #include "PackedTable.h"
+#include "SessionFile.h"
 
 namespace mien {
 
@@ -37,15 +38,22 @@ bool isOther(const QByteArray& head) {
   return false;
 }
 
+/// Or the state of a face, as figures carry it.
+bool isSession(const QByteArray& head) {
+  return head.trimmed().startsWith('{') && (head.contains("\"mien session\"") || head.contains("\"mien_face_state\""));
+}
+
 }  // namespace
 
 FileKind fileKind(const QString& fileName) {
+  if (fileName.endsWith(SessionFile::ending, Qt::CaseInsensitive)) return FileKind::Session;  // be it damaged
   QFile file(fileName);
   if (!file.open(QIODevice::ReadOnly)) return FileKind::Animation;
   const QByteArray head = file.read(headOfFile);
   const std::string text = head.toStdString();
   if (isPackedTable(text)) return FileKind::DeformationTable;
   if (isOther(head)) return FileKind::Other;
+  if (isSession(head)) return FileKind::Session;
   if (head.trimmed().startsWith('{')) return FileKind::AnimationTable;
   return kindOfTable(text);
 }

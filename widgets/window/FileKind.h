@@ -9,6 +9,7 @@ enum class FileKind {
   Animation,         ///< .fap, or a table of FAPs, action units or blendshapes; also what nobody else knows
   DeformationTable,  ///< facial deformation table, as text or packed
   AnimationTable,    ///< .json of what each FAP moves
+  Session,           ///< .json of a window, or of the state of a face
   Landmarks,         ///< of a scan or a photograph
   Markers,           ///< before and after an expression
   Other              ///< another kind of file: a mesh, a picture

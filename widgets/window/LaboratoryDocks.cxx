@@ -12,6 +12,7 @@
 #include "DeformationPanel.h"
 #include "FAPPlotPanel.h"
 #include "FaceView.h"
+#include "SessionPart.h"
 #include "SmoothingPanel.h"
 #include "SpectrumPanel.h"
 #include "TexturePanel.h"
@@ -80,6 +81,7 @@ void LaboratoryDocks::addPlotButton(TimelinePanel* timeline) {
   button->setToolTip(tr("The FAPs of the animation over time, below"));
   button->setCheckable(true);
   button->setFocusPolicy(Qt::TabFocus);
+  button->setProperty(notInSession, true);  // the layout says whether the plot is open
   connect(button, &QToolButton::clicked, plot_, [this](bool on) {
     plot_->setVisible(on);
     if (on) plot_->raise();

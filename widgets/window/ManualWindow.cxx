@@ -11,6 +11,7 @@
 #include <QVariant>
 
 #include "ManualPage.h"
+#include "SessionPart.h"
 #include "Theme.h"
 
 namespace mien {
@@ -68,7 +69,7 @@ ManualWindow::ManualWindow(QWidget* parent)
 
 QWidget* ManualWindow::side() {
   search_->setObjectName("manualSearch");
-  search_->setProperty("notInSession", true);
+  search_->setProperty(notInSession, true);
   search_->setPlaceholderText(tr("Find (Ctrl+F)"));
   search_->setToolTip(tr("Words of the manual; Return finds the next place, Shift+Return the one before"));
   search_->setAccessibleName(tr("Find in the manual"));

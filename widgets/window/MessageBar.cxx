@@ -11,6 +11,7 @@
 
 #include "Icons.h"
 #include "MessageLog.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -56,6 +57,7 @@ void MessageBar::buildButtons(QLayout* row) {
   more_->setText(tr("Details"));
   more_->setToolTip(tr("What else is known about this message"));
   more_->setCheckable(true);
+  more_->setProperty(notInSession, true);
   auto *log = new QToolButton(this), *close = new QToolButton(this);
   log->setObjectName("messageLogOpen");
   log->setText(tr("All messages"));

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "SessionPart.h"
 #include "ShortcutList.h"
 
 namespace mien {
@@ -24,7 +25,7 @@ ShortcutDialog::ShortcutDialog(const QWidget& window, QWidget* parent)
   setWindowTitle(tr("Keyboard shortcuts"));
   resize(startWidth, startHeight);
   search_->setObjectName("shortcutSearch");
-  search_->setProperty("notInSession", true);
+  search_->setProperty(notInSession, true);
   search_->setPlaceholderText(tr("Find a key, a command or a dock"));
   search_->setToolTip(tr("Shows the rows that hold this text"));
   search_->setClearButtonEnabled(true);

@@ -15,14 +15,20 @@
 #include "AnimationPlayer.h"
 #include "BundledFile.h"
 #include "CurveView.h"
+#include "EditMenu.h"
 #include "ExpressionPanel.h"
 #include "FAPPanel.h"
 #include "FaceModel.h"
-#include "FileKind.h"
+#include "FileMenu.h"
 #include "HelpMenu.h"
+#include "History.h"
 #include "LaboratoryDocks.h"
 #include "LiveStream.h"
 #include "MessageBar.h"
+#include "RecentFiles.h"
+#include "RecoveryBar.h"
+#include "SessionDocument.h"
+#include "SessionKeeper.h"
 #include "SurfacePanel.h"
 #include "TexturePanel.h"
 #include "TimelinePanel.h"
@@ -56,7 +62,7 @@ QString advice(FileKind kind) {
     case FileKind::Other:
       return StudioWindow::tr(
           "%1 is no animation and no table. Mien Studio opens .fap files, tables (.csv) of FAPs, action units or "
-          "blendshapes, facial deformation tables (.csv) and animation tables (.json)");
+          "blendshapes, facial deformation tables (.csv), animation tables and sessions (.json)");
     default:
       return {};
   }
@@ -71,16 +77,14 @@ StudioWindow::StudioWindow()
       curves_(new CurveView(model_)),
       views_(new ViewArea(model_, face_, curves_)),
       messages_(new MessageBar),
-      laboratory_(new LaboratoryDocks(model_, player_, face_, curves_, this)) {
+      laboratory_(new LaboratoryDocks(model_, player_, face_, curves_, this)),
+      keeper_(new SessionKeeper(model_, player_, this)) {
   setObjectName("studioWindow");
-  setWindowTitle(tr("Mien Studio"));
   setAcceptDrops(true);
   setCentralWidget(centre());
   addDocks();
   workspaces_ = new Workspaces(this);
-  addFileMenu();
-  menuBar()->addMenu(new ViewMenu(this, views_, workspaces_, messages_));
-  menuBar()->addMenu(new HelpMenu(this));
+  addMenus();
   menuBar()->setCornerWidget(workspaces_->bar());
   connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
   connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
@@ -88,9 +92,18 @@ StudioWindow::StudioWindow()
   resize(startWidth, startHeight);
   WindowLayout::restore(*this);
   workspaces_->restore();
+  keeper_->history()->clear();
 }
 
 StudioWindow::~StudioWindow() = default;
+
+History& StudioWindow::history() {
+  return *keeper_->history();
+}
+
+SessionDocument& StudioWindow::document() {
+  return *keeper_->document();
+}
 
 QWidget* StudioWindow::centre() {
   auto* timeline = new TimelinePanel(model_, player_);
@@ -103,6 +116,7 @@ QWidget* StudioWindow::centre() {
   column->setSpacing(6);
   column->addWidget(views_, 1);
   column->addWidget(timeline);
+  if (keeper_->autosave()) column->addWidget(new RecoveryBar(keeper_->autosave(), keeper_->document()));
   column->addWidget(messages_);
   return box;
 }
@@ -122,23 +136,17 @@ void StudioWindow::addDocks() {
   addDock("surfaceDock", tr("Surface"), new SurfacePanel(model_));
 }
 
-void StudioWindow::addFileMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&File"));
-  menu->addAction(tr("&Open animation..."), this, &StudioWindow::chooseAnimation)->setShortcut(QKeySequence::Open);
-  menu->addAction(tr("Play the &demonstration"), this, &StudioWindow::playDemonstration);
-  menu->addSeparator();
-  menu->addAction(tr("Open animation &table..."), this, &StudioWindow::chooseAnimationTable)
-      ->setObjectName("actionOpenTable");
-  QAction* builtIn = menu->addAction(tr("&Built-in animation table"), this, [this] { openAnimationTable(QString()); });
-  builtIn->setObjectName("actionBuiltInTable");
-  builtIn->setEnabled(false);
-  connect(model_, &FaceModel::stateChanged, builtIn,
-          [this, builtIn] { builtIn->setEnabled(!model_->state().animationTable.empty()); });
-  menu->addSeparator();
-  menu->addAction(tr("&Close animation"), model_, &FaceModel::closeAnimation)->setShortcut(QKeySequence::Close);
-  menu->addSeparator();
-  menu->addAction(tr("&Quit"), this, &QWidget::close)->setShortcut(QKeySequence::Quit);
+void StudioWindow::addMenus() {
+  menuBar()->addMenu(new FileMenu(this, keeper_->document(), keeper_->recent()));
+  menuBar()->addMenu(new EditMenu(keeper_->history(), model_, face_, this));
+  addFaceMenu();
+  menuBar()->addMenu(new ViewMenu(this, views_, workspaces_, messages_));
+  menuBar()->addMenu(new HelpMenu(this));
+}
+
+void StudioWindow::addFaceMenu() {
   QMenu* face = menuBar()->addMenu(tr("F&ace"));
+  face->setObjectName("faceMenu");
   QAction* play =
       face->addAction(tr("&Play or pause"), player_, [this] { player_->setPlaying(!player_->isPlaying()); });
   play->setShortcut(Qt::CTRL | Qt::Key_Space);
@@ -148,10 +156,16 @@ void StudioWindow::addFileMenu() {
 }
 
 bool StudioWindow::openFile(const QString& fileName) {
-  const FileKind kind = fileKind(fileName);
+  const bool good = openAs(fileKind(fileName), fileName);
+  if (good) keeper_->recent()->add(fileName);
+  return good;
+}
+
+bool StudioWindow::openAs(FileKind kind, const QString& fileName) {
   const QString name = QFileInfo(fileName).fileName();
   if (kind == FileKind::AnimationTable) return openAnimationTable(fileName);
   if (kind == FileKind::Animation) return openAnimation(fileName);
+  if (kind == FileKind::Session) return document().open(fileName);
   if (kind != FileKind::DeformationTable) {
     messages_->showError(advice(kind).arg(name), fileName);
     return false;
@@ -225,6 +239,7 @@ void StudioWindow::closeEvent(QCloseEvent* event) {
   auto* texture = findChild<TexturePanel*>();
   if (texture && !texture->mayClose()) return event->ignore();
   player_->pause();
+  if (!document().mayClose()) return event->ignore();
   WindowLayout::save(*this);
   workspaces_->save();
   QMainWindow::closeEvent(event);

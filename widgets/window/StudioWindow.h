@@ -3,15 +3,19 @@
 #include <QMainWindow>
 
 #include "FaceView.h"
+#include "FileKind.h"
 
 namespace mien {
 
 class AnimationPlayer;
 class CurveView;
 class FaceModel;
+class History;
 class LaboratoryDocks;
 class LiveStream;
 class MessageBar;
+class SessionDocument;
+class SessionKeeper;
 class ViewArea;
 class Workspaces;
 
@@ -24,10 +28,12 @@ class StudioWindow : public QMainWindow {
 
   FaceModel& model() { return *model_; }
   AnimationPlayer& player() { return *player_; }
+  History& history();
+  SessionDocument& document();
 
  public slots:
   /// Takes over whatever a file holds, as its content tells: an animation, a facial deformation table, an animation
-  /// table; of other files the message bar says what they are for. @return whether it was taken over
+  /// table, a session; of other files the message bar says what they are for. @return whether it was taken over
   bool openFile(const QString& fileName);
   bool openAnimation(const QString& fileName);  ///< the message bar says what is wrong with a file that has a fault
   void playStream(int descriptor);              ///< a .fap stream that is still being written; 0 is standard input
@@ -46,7 +52,9 @@ class StudioWindow : public QMainWindow {
   QWidget* centre();
   void addDocks();
   void addDock(const QString& name, const QString& title, QWidget* panel);
-  void addFileMenu();
+  bool openAs(FileKind kind, const QString& fileName);
+  void addMenus();
+  void addFaceMenu();
 
   FaceModel* model_;
   AnimationPlayer* player_;
@@ -56,6 +64,7 @@ class StudioWindow : public QMainWindow {
   MessageBar* messages_;
   LaboratoryDocks* laboratory_;
   Workspaces* workspaces_;
+  SessionKeeper* keeper_;
   LiveStream* stream_ = nullptr;
 };
 

@@ -63,6 +63,11 @@ Theme dark() {
   return theme;
 }
 
+/// Faint, but still to be read.
+QColor disabledText(const Theme& theme) {
+  return theme.line.darker(theme.kind == Theme::Kind::Light ? 125 : 60);
+}
+
 QPalette palette(const Theme& theme) {
   QPalette colors;
   colors.setColor(QPalette::Window, theme.window);
@@ -80,7 +85,8 @@ QPalette palette(const Theme& theme) {
   colors.setColor(QPalette::Mid, theme.line);
   colors.setColor(QPalette::PlaceholderText, theme.faintText);
   for (QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    colors.setColor(QPalette::Disabled, role, theme.line.darker(theme.kind == Theme::Kind::Light ? 125 : 90));
+    colors.setColor(QPalette::Disabled, role, disabledText(theme));
+  colors.setColor(QPalette::Disabled, QPalette::Light, theme.panel);  // or menus draw a shadow below such text
   return colors;
 }
 
@@ -108,7 +114,7 @@ QPushButton[compact="true"] { padding: 3px 6px; }
 QPushButton:hover { border-color: @accent; }
 QPushButton:focus { border-color: @accent; }
 QPushButton:checked { background: @accent; color: @accentText; border-color: @accent; }
-QPushButton:disabled { color: @line; }
+QPushButton:disabled { color: @disabled; }
 QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px 5px; background: transparent; }
 QToolButton[framed="true"] { border-color: @line; background: @panel; padding: 4px 6px; }
 QToolButton[framed="true"]:checked { background: @accent; }
@@ -120,10 +126,10 @@ QListWidget#manualContents::item { padding: 3px 4px; }
 QListWidget#plotFAPs { border: 1px solid @line; border-radius: 4px; }
 QListWidget#plotFAPs::item { color: @faint; }
 QListWidget#plotFAPs::item:selected { color: @text; background: @window; }
-QFrame#messageBar { background: @panel; border: 1px solid @line; border-radius: 6px; }
+QFrame#messageBar, QFrame#recoveryBar { background: @panel; border: 1px solid @line; border-radius: 6px; }
 QFrame#messageBar[severity="error"] { border-left: 4px solid @error; }
 QFrame#messageBar[severity="warning"] { border-left: 4px solid @warning; }
-QFrame#messageBar[severity="note"] { border-left: 4px solid @accent; }
+QFrame#messageBar[severity="note"], QFrame#recoveryBar { border-left: 4px solid @accent; }
 )";
 
 QString styleSheet(const Theme& theme) {
@@ -132,7 +138,7 @@ QString styleSheet(const Theme& theme) {
   text.replace("@window", theme.window.name()).replace("@panel", theme.panel.name());
   text.replace("@text", theme.text.name()).replace("@faint", theme.faintText.name());
   text.replace("@line", theme.line.name()).replace("@error", theme.error.name());
-  return text.replace("@warning", theme.warning.name());
+  return text.replace("@warning", theme.warning.name()).replace("@disabled", disabledText(theme).name());
 }
 
 }  // namespace

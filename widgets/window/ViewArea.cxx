@@ -101,6 +101,7 @@ QWidget* ViewArea::splitter() {
 void ViewArea::addMeshChoice() {
   mesh_->setObjectName("faceMesh");
   mesh_->addItems({tr("Shaded"), tr("Wireframe"), tr("Both"), tr("Points")});
+  mesh_->setAccessibleName(tr("Drawing style"));
   mesh_->setToolTip(tr("The surface lit, the lines of its mesh, both, or its points"));
   connect(mesh_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
     face_->setMesh(static_cast<FaceView::Mesh>(index));

@@ -9,8 +9,10 @@
 #include <QTabBar>
 #include <QVariant>
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "Remembered.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -70,7 +72,7 @@ QString Workspaces::title(int workspace) {
 
 void Workspaces::buildBar() {
   bar_->setObjectName("workspaces");
-  bar_->setProperty("notInSession", true);  // the arrangement itself is
+  bar_->setProperty(notInSession, true);  // the arrangement itself is
   bar_->setDrawBase(false);
   bar_->setExpanding(false);
   bar_->setUsesScrollButtons(false);
@@ -89,7 +91,7 @@ void Workspaces::addTo(QMenu* menu) {
   for (int i = 0; i < count; ++i) {
     QAction* action = menu->addAction(tr(all()[i].mnemonic), this, [this, i] { choose(i); });
     action->setObjectName(QString("actionWorkspace%1").arg(i + 1));
-    action->setProperty("notInSession", true);
+    action->setProperty(notInSession, true);
     action->setCheckable(true);
     action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_F1 + i)));
     actions_[i] = group->addAction(action);
@@ -155,6 +157,16 @@ void Workspaces::follow() {
   bar_->setCurrentIndex(current_);
   for (int i = 0; i < count; ++i)
     if (actions_[i]) actions_[i]->setChecked(i == current_);
+}
+
+nlohmann::json Workspaces::sessionState() const {
+  return all()[current_].title;
+}
+
+void Workspaces::restoreSession(const nlohmann::json& state) {
+  for (int i = 0; i < count; ++i)
+    if (state == all()[i].title) current_ = i;
+  follow();
 }
 
 void Workspaces::save() const {

@@ -4,6 +4,8 @@
 #include <QStringList>
 #include <array>
 
+#include "SessionPart.h"
+
 class QAction;
 class QDockWidget;
 class QMainWindow;
@@ -15,7 +17,7 @@ namespace mien {
 /// Arrangements of the docks for one kind of work each. Every one keeps what the user made of it, until the next start
 /// and beyond.
 /// @sa Remembered
-class Workspaces : public QObject {
+class Workspaces : public QObject, public SessionPart {
   Q_OBJECT
  public:
   static constexpr int count = 4;
@@ -28,6 +30,11 @@ class Workspaces : public QObject {
 
   int current() const { return current_; }
   static QString title(int workspace);
+
+  /// Which one it is; the arrangement itself is with the window.
+  nlohmann::json sessionState() const override;
+  void restoreSession(const nlohmann::json& state) override;
+  bool isUndoable() const override { return false; }
 
   void choose(int workspace);
   void reset();       ///< the present one, to how it is at the first start

@@ -52,6 +52,7 @@ class FaceOptions {
   void setDefaultFace(const std::string& file) { defaultFace_ = file; }
 
  private:
+  FaceState start() const;
   std::string resolutionHelp() const;
   void fillSurface(FaceState& state) const;
   void fillGrid(FaceState& state) const;
@@ -61,12 +62,13 @@ class FaceOptions {
   void fillDeformation(FaceState& state) const;
 
   int defaultRows_ = FaceState().rows, defaultColumns_ = FaceState().columns;
-  std::string defaultFace_, face_, scheme_, smoothing_, harmonics_, resolution_, derivativeStrength_, precision_;
+  std::string defaultFace_, face_, scheme_, smoothing_, harmonics_, resolution_, derivativeStrength_, precision_,
+      state_;
   std::string fap_, frame_, index_, time_, expression_, viseme_, set_, animationTable_;
   std::string texture_, textureMesh_;
   std::string deformation_;
   bool hardRegions_ = false;
-  bool noRemainder_ = false, uniformRows_ = false;
+  bool noRemainder_ = false, uniformRows_ = false, interpolates_ = false;
 };
 
 /// Sets photograph and mesh from IMAGE, IMAGE:MESH.csv or "painted". Throws a ValueFailure or a FileFailure.

@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFrame>
+#include <QLabel>
+#include <QMenu>
+#include <QProcess>
+#include <QPushButton>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <memory>
+
+#include "Autosave.h"
+#include "FaceModel.h"
+#include "FaceStateText.h"
+#include "SessionDocument.h"
+#include "SessionFile.h"
+#include "StudioWindow.h"
+
+namespace {
+
+constexpr int longWait = 60000;  // ms, of a busy machine
+constexpr const char* childState = "MIEN_TEST_CHILD_STATE";
+
+std::unique_ptr<mien::StudioWindow> start() {
+  auto window = std::make_unique<mien::StudioWindow>();
+  for (const char* view : {"faceView", "curveView"}) window->findChild<QWidget*>(view)->setUpdatesEnabled(false);
+  window->show();
+  EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+  return window;
+}
+
+std::string stateOf(mien::StudioWindow& window) {
+  return mien::writeFaceState(window.model().state());
+}
+
+void changeByHand(mien::StudioWindow& window) {
+  QTest::mouseClick(window.findChild<QPushButton*>("expression_joy"), Qt::LeftButton);
+  QTest::keyClick(window.findChild<QComboBox*>("faceMesh"), Qt::Key_Down);
+  QTest::qWait(0);
+}
+
+/// As the program names itself, with folders of its own.
+class Recovery : public testing::Test {
+ protected:
+  Recovery() {
+    qputenv("XDG_DATA_HOME", data.path().toUtf8());
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, settings.path());
+    QCoreApplication::setOrganizationName("mien");
+    QCoreApplication::setApplicationName("mien-studio");
+  }
+  ~Recovery() override { QCoreApplication::setOrganizationName(QString()); }
+
+  static QStringList kept() {
+    return QDir(mien::Autosave::usualFolder()).entryList({QString("*") + mien::SessionFile::ending}, QDir::Files);
+  }
+  static QFrame* bar(mien::StudioWindow& window) { return window.findChild<QFrame*>("recoveryBar"); }
+
+  QTemporaryDir data, settings;
+};
+
+/// Not a test: the program that is killed. It changes its face, tells it and waits.
+TEST(RecoveryChild, DISABLED_ChangesTheFaceAndWaits) {
+  QCoreApplication::setOrganizationName("mien");
+  QCoreApplication::setApplicationName("mien-studio");
+  const auto window = start();
+  changeByHand(*window);
+  window->model().update();
+  QFile told(qEnvironmentVariable(childState));
+  ASSERT_TRUE(told.open(QIODevice::WriteOnly));
+  told.write(QByteArray::fromStdString(stateOf(*window)));
+  told.close();
+  QTest::qWait(longWait);
+}
+
+class Killed : public Recovery {
+ protected:
+  Killed() {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(childState, data.filePath("state.json"));
+    child.setProcessEnvironment(environment);
+    child.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    child.start(QCoreApplication::applicationFilePath(),
+                {"--gtest_filter=RecoveryChild.*", "--gtest_also_run_disabled_tests"});
+  }
+  ~Killed() override {
+    child.kill();
+    child.waitForFinished();
+  }
+
+  QByteArray told() const {
+    QFile file(data.filePath("state.json"));
+    file.open(QIODevice::ReadOnly);
+    return file.readAll();
+  }
+
+  QProcess child;
+};
+
+TEST_F(Killed, WhatItShowedIsOfferedAtTheNextStartAndRestored) {
+  ASSERT_TRUE(QTest::qWaitFor([] { return !kept().isEmpty(); }, longWait));
+  ASSERT_NE(told(), QByteArray());
+  EXPECT_FALSE(bar(*start())->isVisible()) << "while it is alive";
+  child.kill();  // SIGKILL
+  ASSERT_TRUE(child.waitForFinished());
+  const auto window = start();
+  ASSERT_TRUE(bar(*window)->isVisible());
+  EXPECT_TRUE(window->findChild<QLabel*>("recoverySentence")->text().startsWith("Mien Studio ended unexpectedly"));
+  EXPECT_FALSE(bar(*start())->isVisible()) << "in a second window that starts meanwhile";
+  QTest::mouseClick(window->findChild<QToolButton*>("recoveryRestore"), Qt::LeftButton);
+  EXPECT_EQ(stateOf(*window), told().toStdString());
+  EXPECT_EQ(window->findChild<QComboBox*>("faceMesh")->currentIndex(), 1);
+  EXPECT_TRUE(window->document().isModified());
+  EXPECT_FALSE(bar(*window)->isVisible());
+  EXPECT_EQ(kept(), QStringList());
+}
+
+TEST_F(Killed, WhatIsDiscardedIsNotOfferedAgain) {
+  ASSERT_TRUE(QTest::qWaitFor([] { return !kept().isEmpty(); }, longWait));
+  child.kill();
+  ASSERT_TRUE(child.waitForFinished());
+  {
+    const auto window = start();
+    QTest::mouseClick(window->findChild<QToolButton*>("recoveryDiscard"), Qt::LeftButton);
+    EXPECT_FALSE(bar(*window)->isVisible());
+    EXPECT_EQ(window->model().state(), mien::FaceState());
+  }
+  EXPECT_EQ(kept(), QStringList());
+  EXPECT_FALSE(bar(*start())->isVisible());
+}
+
+TEST_F(Recovery, NothingIsLeftAfterAnEndInGoodOrder) {
+  auto window = start();
+  EXPECT_EQ(kept(), QStringList());
+  changeByHand(*window);
+  ASSERT_TRUE(QTest::qWaitFor([] { return kept().size() == 1; }, longWait));
+  window.reset();
+  EXPECT_EQ(kept(), QStringList());
+}
+
+TEST_F(Recovery, OfADamagedFileSaysSoAndKeepsIt) {
+  QDir().mkpath(mien::Autosave::usualFolder());
+  QFile damaged(QDir(mien::Autosave::usualFolder()).filePath(QString("a") + mien::SessionFile::ending));
+  ASSERT_TRUE(damaged.open(QIODevice::WriteOnly));
+  damaged.write("{\"format\": \"mien sess");
+  damaged.close();
+  const auto window = start();
+  ASSERT_TRUE(bar(*window)->isVisible());
+  QTest::mouseClick(window->findChild<QToolButton*>("recoveryRestore"), Qt::LeftButton);
+  EXPECT_TRUE(window->findChild<QLabel*>("messageSentence")->text().contains("line 1 is damaged"));
+  EXPECT_EQ(window->model().state(), mien::FaceState());
+  EXPECT_EQ(kept().size(), 1);
+}
+
+TEST_F(Recovery, RecentFilesAreRememberedAndOpenedFromTheMenu) {
+  const QString session = data.filePath("joy.mien-session.json"), gone = data.filePath("gone.mien-session.json");
+  {
+    const auto window = start();
+    changeByHand(*window);
+    window->model().update();
+    ASSERT_TRUE(window->document().save(gone));
+    ASSERT_TRUE(window->document().save(session));
+  }
+  QFile::remove(gone);
+  const auto window = start();
+  auto* menu = window->findChild<QMenu*>("recentMenu");
+  ASSERT_GE(menu->actions().size(), 3);
+  EXPECT_EQ(menu->actions()[0]->text().toStdString(), "&1 joy.mien-session.json");
+  EXPECT_EQ(menu->actions()[1]->toolTip(), gone);
+  menu->actions()[1]->trigger();
+  EXPECT_TRUE(window->findChild<QLabel*>("messageSentence")->text().startsWith("gone.mien-session.json is not there"));
+  QTest::qWait(0);
+  menu->actions()[0]->trigger();
+  EXPECT_EQ(window->model().state().expressions.at("joy"), 1.0);
+  window->findChild<QAction*>("actionClearRecent")->trigger();
+  QTest::qWait(0);
+  EXPECT_FALSE(menu->menuAction()->isEnabled());
+}
+
+}  // namespace

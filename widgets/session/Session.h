@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <nlohmann/json_fwd.hpp>
+
+class QMainWindow;
+
+namespace mien {
+
+class FaceModel;
+struct FaceState;
+
+/// All that the window shows, as one JSON object with the members
+/// - `face`: the FaceState, as FaceStateText writes it;
+/// - `docks`: the settings of each dock, and of what is around them (`window`), as WidgetSettings reads them;
+/// - `window`: `geometry`, `layout` and `splitters`, as Qt writes them, in base64.
+class Session : public QObject {
+  Q_OBJECT
+ public:
+  Session(FaceModel* model, QMainWindow* window);
+
+  nlohmann::json whole() const;     ///< for a file; a stream, which nobody can read twice, as the frame it is at
+  nlohmann::json undoable() const;  ///< `face`, and of `docks` what undo covers
+
+  /// Shows a session; what it does not name stays as it is. Files that are gone are left out, and the message bar names
+  /// them. @return nothing, or one sentence that says what is wrong; all is then as it was
+  QString restore(const nlohmann::json& session);
+
+ private:
+  QString show(const FaceState& state);
+  void restoreWindow(const nlohmann::json& window);
+  nlohmann::json windowState() const;
+
+  FaceModel* model_;
+  QMainWindow* window_;
+};
+
+}  // namespace mien

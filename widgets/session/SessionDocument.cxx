@@ -1,0 +1,111 @@
+#include "SessionDocument.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <nlohmann/json.hpp>
+
+#include "FaceModel.h"
+#include "History.h"
+#include "Session.h"
+#include "SessionFile.h"
+
+namespace mien {
+
+namespace {
+
+SessionDocument::Answer ask(QWidget* window, const QString& name) {
+  const auto answer =
+      QMessageBox::question(window, SessionDocument::tr("Save the session?"),
+                            SessionDocument::tr("%1 has changed. Without saving, the changes are lost.")
+                                .arg(name.isEmpty() ? SessionDocument::tr("The session") : QFileInfo(name).fileName()),
+                            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
+  return answer == QMessageBox::Save      ? SessionDocument::Answer::Save
+         : answer == QMessageBox::Discard ? SessionDocument::Answer::Discard
+                                          : SessionDocument::Answer::Cancel;
+}
+
+}  // namespace
+
+SessionDocument::SessionDocument(Session* session, History* history, FaceModel* model, QWidget* window)
+    : QObject(window), session_(session), history_(history), model_(model), window_(window) {
+  if (!QCoreApplication::organizationName().isEmpty()) question_ = [this] { return ask(window_, file_); };
+  connect(history_, &History::changed, this, &SessionDocument::showTitle);
+  showTitle();
+}
+
+bool SessionDocument::isModified() const {
+  return !history_->isClean();
+}
+
+void SessionDocument::showTitle() {
+  const QString name =
+      file_.isEmpty() ? QCoreApplication::translate("StudioWindow", "Mien Studio") : QFileInfo(file_).fileName();
+  window_->setWindowTitle(name + "[*]");
+  window_->setWindowModified(isModified());
+}
+
+void SessionDocument::take(const QString& fileName) {
+  file_ = QFileInfo(fileName).absoluteFilePath();
+  showTitle();
+}
+
+bool SessionDocument::show(const nlohmann::json& session, const QString& name, QString fault) {
+  if (fault.isEmpty()) {
+    fault = session_->restore(session);
+    if (!fault.isEmpty()) fault = tr("%1 cannot be opened: %2").arg(name, fault);
+  }
+  if (!fault.isEmpty()) emit model_->failed(fault, tr("The face is as it was before."));
+  return fault.isEmpty();
+}
+
+bool SessionDocument::open(const QString& fileName) {
+  nlohmann::json session;
+  const QString fault = SessionFile::read(fileName, session);
+  if (!show(session, QFileInfo(fileName).fileName(), fault)) return false;
+  history_->clear();
+  take(fileName);
+  emit opened(file_);
+  return true;
+}
+
+bool SessionDocument::recover(const nlohmann::json& session, const QString& fault) {
+  if (!show(session, tr("What was kept"), fault)) return false;
+  history_->clearAsModified();
+  return true;
+}
+
+bool SessionDocument::save(const QString& fileName) {
+  const QString fault = SessionFile::write(session_->whole(), fileName);
+  if (!fault.isEmpty()) {
+    emit model_->failed(fault, fileName);
+    return false;
+  }
+  history_->setClean();
+  take(fileName);
+  emit model_->remarked(tr("%1 was written.").arg(QFileInfo(fileName).fileName()), fileName);
+  emit saved(file_);
+  return true;
+}
+
+bool SessionDocument::save() {
+  return file_.isEmpty() ? saveAs() : save(file_);
+}
+
+bool SessionDocument::saveAs() {
+  QString name = QFileDialog::getSaveFileName(window_, tr("Save the session"),
+                                              file_.isEmpty() ? QString("face") + SessionFile::ending : file_,
+                                              tr("Sessions (*%1)").arg(SessionFile::ending));
+  if (name.isEmpty()) return false;
+  if (QFileInfo(name).suffix().isEmpty()) name += SessionFile::ending;
+  return save(name);
+}
+
+bool SessionDocument::mayClose() {
+  if (!isModified() || !question_) return true;
+  const Answer answer = question_();
+  return answer == Answer::Discard || (answer == Answer::Save && save());
+}
+
+}  // namespace mien

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+
+class QWidget;
+
+namespace mien {
+
+class FaceModel;
+class History;
+class Session;
+
+/// The session as a document: the file that it came from or went to, and whether it has changed since.
+class SessionDocument : public QObject {
+  Q_OBJECT
+ public:
+  enum class Answer { Save, Discard, Cancel };
+  using Question = std::function<Answer()>;
+
+  SessionDocument(Session* session, History* history, FaceModel* model, QWidget* window);
+
+  /// Opens a session, or a FaceState as figures carry it; the message bar says what is wrong with it, and all stays as
+  /// it was. @return whether it was good
+  bool open(const QString& fileName);
+  /// Shows a session that was never saved; or says what was wrong with it. @return whether it is shown
+  bool recover(const nlohmann::json& session, const QString& fault);
+
+  bool save(const QString& fileName);  ///< @return whether it was written; else the message bar says why not
+  bool save();                         ///< under its name; asks for one where it has none
+  bool saveAs();
+
+  const QString& fileName() const { return file_; }
+  bool isModified() const;
+
+  /// Whether the window may close: asks once where something would be lost.
+  bool mayClose();
+
+  /// Who is asked about changes that are not saved. Default: a dialog, and nobody in a program without a name.
+  void setQuestion(const Question& question) { question_ = question; }
+
+ signals:
+  void opened(const QString& fileName);
+  void saved(const QString& fileName);
+
+ private:
+  bool show(const nlohmann::json& session, const QString& name, QString fault);
+  void take(const QString& fileName);
+  void showTitle();
+
+  Session* session_;
+  History* history_;
+  FaceModel* model_;
+  QWidget* window_;
+  QString file_;
+  Question question_;
+};
+
+}  // namespace mien

@@ -1,0 +1,25 @@
+#include "SessionKeeper.h"
+
+#include <QCoreApplication>
+#include <QMainWindow>
+
+#include "Autosave.h"
+#include "History.h"
+#include "RecentFiles.h"
+#include "Session.h"
+#include "SessionDocument.h"
+
+namespace mien {
+
+SessionKeeper::SessionKeeper(FaceModel* model, AnimationPlayer* player, QMainWindow* window) : QObject(window) {
+  auto* session = new Session(model, window);
+  history_ = new History(session, model, player);
+  document_ = new SessionDocument(session, history_, model, window);
+  recent_ = new RecentFiles(this);
+  if (!QCoreApplication::organizationName().isEmpty())
+    autosave_ = new Autosave(session, history_, Autosave::usualFolder());
+  connect(document_, &SessionDocument::opened, recent_, &RecentFiles::add);
+  connect(document_, &SessionDocument::saved, recent_, &RecentFiles::add);
+}
+
+}  // namespace mien

@@ -1,0 +1,63 @@
+#include "FileMenu.h"
+
+#include <QFileDialog>
+
+#include "FaceModel.h"
+#include "RecentMenu.h"
+#include "SessionDocument.h"
+#include "SessionFile.h"
+#include "StudioWindow.h"
+
+namespace mien {
+
+FileMenu::FileMenu(StudioWindow* window, SessionDocument* document, RecentFiles* recent)
+    : QMenu(tr("&File"), window), window_(window), document_(document) {
+  setObjectName("fileMenu");
+  addSession();
+  addMenu(new RecentMenu(window, recent));
+  addSeparator();
+  addAnimation();
+  addSeparator();
+  addAction(tr("&Quit"), window_, &QWidget::close)->setShortcut(QKeySequence::Quit);
+}
+
+void FileMenu::addSession() {
+  QAction* open = addAction(tr("Open s&ession..."), this, &FileMenu::chooseSession);
+  open->setObjectName("actionOpenSession");
+  open->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_O);
+  QAction* save = addAction(tr("&Save session"), document_, QOverload<>::of(&SessionDocument::save));
+  save->setObjectName("actionSaveSession");
+  save->setShortcut(QKeySequence::Save);
+  QAction* saveAs = addAction(tr("Save session &as..."), document_, &SessionDocument::saveAs);
+  saveAs->setObjectName("actionSaveSessionAs");
+  saveAs->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_S);
+}
+
+void FileMenu::addAnimation() {
+  addAction(tr("&Open animation..."), window_, &StudioWindow::chooseAnimation)->setShortcut(QKeySequence::Open);
+  addAction(tr("Play the &demonstration"), window_, &StudioWindow::playDemonstration);
+  QAction* close = addAction(tr("&Close animation"), &window_->model(), &FaceModel::closeAnimation);
+  close->setShortcut(QKeySequence::Close);
+  close->setEnabled(false);
+  addSeparator();
+  addAction(tr("Open animation &table..."), window_, &StudioWindow::chooseAnimationTable)
+      ->setObjectName("actionOpenTable");
+  QAction* builtIn =
+      addAction(tr("&Built-in animation table"), window_, [this] { window_->openAnimationTable(QString()); });
+  builtIn->setObjectName("actionBuiltInTable");
+  builtIn->setEnabled(false);
+  FaceModel* model = &window_->model();
+  connect(model, &FaceModel::stateChanged, this, [model, builtIn, close] {
+    builtIn->setEnabled(!model->state().animationTable.empty());
+    close->setEnabled(!model->state().fapFile.empty());
+  });
+}
+
+void FileMenu::chooseSession() {
+  if (!document_->mayClose()) return;
+  const QString name = QFileDialog::getOpenFileName(
+      window_, tr("Open session"), QString(), tr("Sessions (*%1 *.json);;All files (*)").arg(SessionFile::ending));
+  if (!name.isEmpty()) document_->open(name);
+}
+
+}  // namespace mien
