@@ -63,6 +63,7 @@ std::string measure(const AcquireOptions& options, vtkBoundaryCurveAcquisitionFi
   filter->SetScale(options.scan.millimetres);
   filter->SetPose(static_cast<int>(options.scan.pose));
   filter->SetAllParts(options.scan.allParts);
+  filter->SetNostrils(options.scan.nostrils);
   filter->SetTriangles(options.triangles);
   filter->SetCompareLandmarks(options.report);
   if (!updateWith(progress, filter)) return "stopped before the curves were measured";

@@ -12,14 +12,11 @@
 #include "FaceSample.h"
 #include "MeshCleaning.h"
 #include "MeshCode.h"
-#include "MeshData.h"
 #include "MeshSeries.h"
 #include "NumberText.h"
 #include "RadialSkin.h"
-#include "SurfaceDistance.h"
 #include "SurfaceSamples.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
+#include "TriangleTree.h"
 #include "vtkSMPTools.h"
 
 namespace mien {
@@ -35,21 +32,27 @@ struct Way {
   double rms = 0.0, maximum = 0.0;
 };
 
-Way distancesOf(const SurfaceSamples& samples, const SurfaceDistance& distance) {
-  std::vector<double> distances(samples.points.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(distances.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i) distances[i] = distance(samples.points[i].data(), false);
-  });
-  if (distances.empty()) return {undefined, undefined};
-  Way way;
-  double squared = 0.0, area = 0.0;
-  for (std::size_t i = 0; i < distances.size(); ++i) {
-    squared += samples.areas[i] * distances[i] * distances[i];
-    area += samples.areas[i];
-    way.maximum = std::max(way.maximum, distances[i]);
+/// Looks at the wish to stop a few times in a second; false when it was stopped.
+bool measureWay(const SurfaceSamples& samples, const TriangleTree& mesh, const Progress& progress, Way& way) {
+  constexpr std::size_t pointsPerSlab = 1 << 14;
+  const std::size_t count = samples.points.size();
+  std::vector<double> squared(count);
+  for (std::size_t begin = 0; begin < count; begin += pointsPerSlab) {
+    const std::size_t end = std::min(count, begin + pointsPerSlab);
+    vtkSMPTools::For(static_cast<vtkIdType>(begin), static_cast<vtkIdType>(end), [&](vtkIdType first, vtkIdType last) {
+      for (vtkIdType i = first; i < last; ++i) squared[i] = mesh.nearest(samples.points[i]).squared;
+    });
+    if (!goesOn(progress, static_cast<double>(end) / static_cast<double>(count))) return false;
   }
-  way.rms = std::sqrt(squared / area);
-  return way;
+  double sum = 0.0, area = 0.0;
+  way = count == 0 ? Way{undefined, undefined} : Way{};
+  for (std::size_t i = 0; i < count; ++i) {
+    sum += samples.areas[i] * squared[i];
+    area += samples.areas[i];
+    way.maximum = std::max(way.maximum, std::sqrt(squared[i]));
+  }
+  if (count > 0) way.rms = std::sqrt(sum / area);
+  return true;
 }
 
 /// A face as triangles, patch by patch; what has no area is left out.
@@ -87,20 +90,6 @@ TriangleMesh coveredPart(const TriangleMesh& scan, const FaceBand& band) {
   return withTriangles(scan.vertices, kept);
 }
 
-/// A mesh that distances are measured to.
-class DistanceTo {
- public:
-  explicit DistanceTo(const TriangleMesh& mesh) {
-    writeTriangleMesh(mesh, data_);
-    distance_ = std::make_unique<SurfaceDistance>(data_);
-  }
-  const SurfaceDistance& operator*() const { return *distance_; }
-
- private:
-  vtkNew<vtkPolyData> data_;
-  std::unique_ptr<SurfaceDistance> distance_;
-};
-
 /// The whole comparison: what stays the same for all levels, and the records so far.
 class Comparison {
  public:
@@ -119,9 +108,6 @@ class Comparison {
 
   /// False when it was stopped.
   bool measure() {
-    const int k = face_.curves.pointsPerCurve;
-    const int faces = 1 + k / 2 + static_cast<int>(options_.tolerances.size());
-    expected_ = 3 * faces + 1;  // the meshes are two for each size
     addScan();
     return addFaces() && addMeshes();
   }
@@ -141,18 +127,28 @@ class Comparison {
     return point.z() > options_.frontalThreshold && band_.contains(point, options_.margin);
   }
 
-  bool goOn() const { return goesOn(progress_, std::min(1.0, static_cast<double>(records_.size()) / expected_)); }
+  /// What follows are so many steps, and takes this part of the time.
+  void beginPart(double from, double to, std::size_t steps) {
+    part_ = partOf(progress_, from, to);
+    steps_ = static_cast<double>(std::max<std::size_t>(1, steps));
+    done_ = 0.0;
+  }
+
+  bool goOn() const { return goesOn(part_, std::min(1.0, done_ / steps_)); }
 
   bool add(DetailRecord record, const TriangleMesh& mesh) {
+    const Progress step = partOf(part_, std::min(1.0, done_ / steps_), std::min(1.0, (done_ + 1.0) / steps_));
     const SurfaceSamples front(mesh, options_.spacing, [this](const Eigen::Vector3d& p) { return counts(p); });
-    const DistanceTo toMesh(mesh);
-    const Way there = distancesOf(front, *toScan_), back = distancesOf(scanFront_, *toMesh);
+    Way there, back;
+    if (!measureWay(front, toScan_, partOf(step, 0.0, 0.5), there)) return false;
+    if (!measureWay(scanFront_, TriangleTree(mesh), partOf(step, 0.5, 1.0), back)) return false;
     if (front.points.empty()) record.detail += ", nothing of it where distances count";
     record.rms = there.rms;
     record.maximum = there.maximum;
     record.backRMS = back.rms;
     record.backMaximum = back.maximum;
     records_.push_back(record);
+    ++done_;
     return goOn();
   }
 
@@ -176,6 +172,7 @@ class Comparison {
 
   bool addFaces() {
     const int k = face_.curves.pointsPerCurve;
+    beginPart(0.0, facePart, static_cast<std::size_t>(1 + k / 2) + options_.tolerances.size());
     const auto sizeOf = [&](int modes) { return static_cast<long long>(modeNumberCount(k, modes) * sizeof(float)); };
     if (!addFace("PDE face", "K = " + std::to_string(k), sizeOf(k / 2), face_.curves)) return false;
     for (int n = 1; n <= k / 2; ++n)
@@ -214,15 +211,16 @@ class Comparison {
     for (const double bytes : sizes())
       plain.push_back(std::max(fewestTriangles, static_cast<int>(bytes / bytesPerTriangle)));
     std::vector<Packed> packed;
-    const bool whole = decimateInSteps(part, plain, [&](const TriangleMesh& mesh) {
+    beginPart(facePart, 0.5 * (1.0 + facePart), plain.size());
+    const auto take = [&](const TriangleMesh& mesh) {
       const bool further = addMesh("decimated mesh", static_cast<long long>(plainMeshSize(mesh)), mesh, mesh);
       const DetailRecord& record = records_.back();
       const double step = std::max(finestStep, record.rms);
       packed.push_back(
           {static_cast<double>(mesh.triangles.rows()), static_cast<double>(packedMeshSize(mesh, step)), record.rms});
       return further;
-    });
-    return whole && addPackedMeshes(part, packed);
+    };
+    return decimateInSteps(part, plain, take, whileGoingOn()) && addPackedMeshes(part, packed);
   }
 
   struct Packed {
@@ -245,7 +243,8 @@ class Comparison {
     std::vector<int> counts;
     for (const double bytes : sizes())
       counts.push_back(std::max(fewestTriangles, static_cast<int>(trianglesFor(bytes, known))));
-    return decimateInSteps(part, counts, [&](const TriangleMesh& mesh) {
+    beginPart(0.5 * (1.0 + facePart), 1.0, counts.size());
+    const auto take = [&](const TriangleMesh& mesh) {
       const double triangles = static_cast<double>(mesh.triangles.rows());
       const Packed* nearest = &known.front();
       for (const Packed& one : known)
@@ -253,13 +252,21 @@ class Comparison {
           nearest = &one;
       const double step = std::max(finestStep, nearest->rms * nearest->triangles / triangles);
       return addMesh("packed mesh", static_cast<long long>(packedMeshSize(mesh, step)), mesh, roundedMesh(mesh, step));
-    });
+    };
+    return decimateInSteps(part, counts, take, whileGoingOn());
+  }
+
+  /// Decimation takes little of a step, but a step can be stopped in it.
+  Progress whileGoingOn() const {
+    return [this](double) { return goOn(); };
   }
 
   bool addMesh(const std::string& representation, long long bytes, const TriangleMesh& mesh,
                const TriangleMesh& shown) {
-    if (records_.back().representation == representation && records_.back().triangles == mesh.triangles.rows())
+    if (records_.back().representation == representation && records_.back().triangles == mesh.triangles.rows()) {
+      ++done_;
       return goOn();  // no edge could collapse
+    }
     DetailRecord record{representation, std::to_string(mesh.triangles.rows()) + " triangles", bytes,
                         mesh.triangles.rows()};
     record.curvesRMS = undefined;
@@ -267,6 +274,7 @@ class Comparison {
   }
 
   static constexpr double finestStep = 0.05;  // mm
+  static constexpr double facePart = 0.4;     // of the time that all levels take
   static constexpr double sizeShare = 0.85;   // of one size, above which another needs no mesh of its own
 
   const FaceCurves& face_;
@@ -274,9 +282,10 @@ class Comparison {
   const DetailOptions& options_;
   const Progress& progress_;
   FaceBand band_;
-  DistanceTo toScan_;
+  TriangleTree toScan_;
   SurfaceSamples scanFront_;
-  int expected_ = 1;
+  Progress part_;
+  double steps_ = 1.0, done_ = 0.0;
   std::vector<DetailRecord> records_;
   std::string fault_;
 };

@@ -56,7 +56,6 @@ std::string describeHeaderFault(const std::string& file) {
 
 /// OpenMesh passes over such faults, and then counts on with other vertices than the file.
 std::string describeContent(const std::string& file) {
-  if (endingOf(file) == ".stl") return {};
   std::ifstream stream(file, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   return describeMeshTextFault(text, endingOf(file));

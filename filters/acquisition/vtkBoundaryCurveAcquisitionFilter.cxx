@@ -93,6 +93,7 @@ std::string vtkBoundaryCurveAcquisitionFilter::Measure(vtkPolyData* scan) {
   settings.millimetres = this->Scale;
   settings.pose = static_cast<mien::ScanSettings::Pose>(this->Pose);
   settings.allParts = this->AllParts;
+  settings.nostrils = this->Nostrils;
   settings.compareLandmarks = this->CompareLandmarks;
   settings.pointsPerCurve = this->PointsPerCurve;
   return mien::acquireScan(clean, table.given, landmarks, mien::referenceTemplate(), settings, *this->Acquired,
@@ -129,5 +130,6 @@ void vtkBoundaryCurveAcquisitionFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Pose: " << this->Pose << "\n";
   os << indent << "Triangles: " << this->Triangles << "\n";
   os << indent << "AllParts: " << (this->AllParts ? "on" : "off") << "\n";
+  os << indent << "Nostrils: " << (this->Nostrils ? "on" : "off") << "\n";
   os << indent << "CompareLandmarks: " << (this->CompareLandmarks ? "on" : "off") << "\n";
 }

@@ -79,6 +79,14 @@ class MIENACQUISITION_EXPORT vtkBoundaryCurveAcquisitionFilter : public vtkPolyD
   ///@}
 
   ///@{
+  /** Whether curves go into the nostrils where rays below the tip of the nose do, instead of from rim to rim. Default
+   * off. */
+  vtkSetMacro(Nostrils, bool);
+  vtkGetMacro(Nostrils, bool);
+  vtkBooleanMacro(Nostrils, bool);
+  ///@}
+
+  ///@{
   /** Whether landmarks from a file are compared with those found by fitting. Default off. */
   vtkSetMacro(CompareLandmarks, bool);
   vtkGetMacro(CompareLandmarks, bool);
@@ -107,6 +115,7 @@ class MIENACQUISITION_EXPORT vtkBoundaryCurveAcquisitionFilter : public vtkPolyD
   int Pose = AUTOMATIC;
   int Triangles = 0;
   bool AllParts = false;
+  bool Nostrils = false;
   bool CompareLandmarks = false;
   std::unique_ptr<mien::AcquiredScan> Acquired;
 };

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <vector>
 
+#include "MeshDistance.h"
 #include "MienSurfaceModule.h"
-#include "vtkSmartPointer.h"
 
 class vtkPolyData;
 
@@ -25,18 +24,19 @@ struct DistanceSummary {
 /// Distances of points to a fixed triangulated surface. Safe to call from several threads.
 class MIENSURFACE_EXPORT SurfaceDistance {
  public:
-  /// @param triangles  see trianglesOf(); must not change afterwards
+  /// @param triangles  see trianglesOf()
   explicit SurfaceDistance(vtkPolyData* triangles);
-  ~SurfaceDistance();
 
-  /// The distance to the nearest point (mm). Signed: negative behind the surface, told by the normal of the nearest
-  /// triangle, edge or corner [Baerentzen and Aanaes 2005, angle-weighted pseudonormals].
+  /// The distance to the nearest point (mm). Signed: negative behind the surface.
   /// @param nearest  if not nullptr, that point
   double operator()(const double point[3], bool withSign, double nearest[3] = nullptr) const;
 
+  MeshDistance::Nearest nearest(const double point[3]) const {
+    return mesh_.nearest(Eigen::Map<const Eigen::Vector3d>(point));
+  }
+
  private:
-  struct Internals;
-  std::unique_ptr<Internals> Impl;
+  MeshDistance mesh_;
 };
 
 /// Sums up; only points for which `counts` says so are taken.

@@ -18,6 +18,7 @@
 #include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
 
 vtkStandardNewMacro(vtkSurfaceDistanceFilter);
@@ -36,7 +37,8 @@ const char* const directionNames[] = {"to reference", "from reference"};
 /// One of the two surfaces on its way through the filter.
 struct Side : mien::SurfaceMesh {
   std::vector<double> areas, distances;
-  std::vector<double> vectors;  ///< three for each point; empty when they are not wanted
+  std::vector<double> vectors;         ///< three for each point; empty when they are not wanted
+  std::vector<unsigned char> covered;  ///< empty when all points count
 };
 
 vtkSmartPointer<vtkDoubleArray> column(const char* name) {
@@ -73,6 +75,13 @@ void fillOutput(const Side& side, vtkPolyData* output) {
   distances->SetNumberOfTuples(side.surface->GetNumberOfPoints());
   std::copy(side.distances.begin(), side.distances.end(), distances->GetPointer(0));
   output->GetPointData()->AddArray(distances);
+  if (!side.covered.empty()) {
+    vtkNew<vtkUnsignedCharArray> covered;
+    covered->SetName("Covered");
+    covered->SetNumberOfTuples(side.surface->GetNumberOfPoints());
+    std::copy(side.covered.begin(), side.covered.end(), covered->GetPointer(0));
+    output->GetPointData()->AddArray(covered);
+  }
   if (side.vectors.empty()) return;
   const auto vectors = column("DistanceVector");
   vectors->SetNumberOfComponents(3);
@@ -89,8 +98,10 @@ std::string readSide(vtkDataObject* data, int port, bool largestOnly, Side& side
 }
 
 mien::DistanceSummary sumUp(const Side& side, double threshold) {
-  return mien::summarize(side.distances, side.areas,
-                         [&](size_t i) { return side.areas[i] > 0.0 && side.triangles->GetPoint(i)[2] > threshold; });
+  return mien::summarize(side.distances, side.areas, [&](size_t i) {
+    return side.areas[i] > 0.0 && side.triangles->GetPoint(i)[2] > threshold &&
+           (side.covered.empty() || side.covered[i] != 0);
+  });
 }
 
 }  // namespace
@@ -107,11 +118,13 @@ struct vtkSurfaceDistanceFilter::Internals {
       if (self->GetAbortExecute()) return false;
       const vtkIdType end = std::min(count, begin + pointsPerSlab);
       vtkSMPTools::For(begin, end, pointsPerTask, [&](vtkIdType first, vtkIdType last) {
-        double point[3], nearest[3];
+        double point[3];
         for (vtkIdType i = first; i < last; ++i) {
           from.triangles->GetPoint(i, point);
-          from.distances[i] = distance(point, withSign, nearest);
-          for (int k = 0; k < 3 && !from.vectors.empty(); ++k) from.vectors[3 * i + k] = nearest[k] - point[k];
+          const mien::MeshDistance::Nearest found = distance.nearest(point);
+          from.distances[i] = withSign && found.isBehind ? -found.distance : found.distance;
+          if (!from.covered.empty()) from.covered[i] = !found.onRim;
+          for (int k = 0; k < 3 && !from.vectors.empty(); ++k) from.vectors[3 * i + k] = found.point[k] - point[k];
         }
       });
       self->UpdateProgress(progress + 0.5 * end / count);
@@ -181,18 +194,25 @@ int vtkSurfaceDistanceFilter::RequestData(vtkInformation*, vtkInformationVector*
   std::array<mien::DistanceSummary, 2> summaries;
   for (int port = 0; port < 2; ++port) {
     if (this->GenerateVectors) sides[port].vectors.resize(3 * sides[port].triangles->GetNumberOfPoints());
+    if (this->CoveredOnly) sides[port].covered.resize(sides[port].triangles->GetNumberOfPoints());
     if (!Internals::measure(sides[port], sides[1 - port], this->Signed, 0.5 * port, this)) return 1;
     summaries[port] = sumUp(sides[port], this->FrontalOnly ? this->FrontalThreshold : everywhere);
-    if (summaries[port].points == 0)
-      return this->Refuse("no point of the " + std::string(portNames[port]) + " lies at z > " +
-                          vtkVariant(this->FrontalThreshold).ToString() +
-                          " mm, where a face in mm that looks along +z has its front; bring both surfaces into such a "
-                          "frame, or compare all points");
+    if (summaries[port].points == 0) return this->RefuseEmptiness(port);
   }
   this->Impl->summaries = summaries;
   for (int port = 0; port < 2; ++port) fillOutput(sides[port], vtkPolyData::GetData(outputs, port));
   fillTable(summaries, vtkTable::GetData(outputs, portOfTable));
   return 1;
+}
+
+int vtkSurfaceDistanceFilter::RefuseEmptiness(int port) {
+  const std::string place = this->FrontalOnly ? " at z > " + vtkVariant(this->FrontalThreshold).ToString() + " mm" : "";
+  if (this->CoveredOnly)
+    return this->Refuse("no point of the " + std::string(portNames[port]) + place + " is covered by the " +
+                        portNames[1 - port] + "; bring both surfaces into one frame, or compare all points");
+  return this->Refuse("no point of the " + std::string(portNames[port]) + " lies" + place +
+                      ", where a face in mm that looks along +z has its front; bring both surfaces into such a "
+                      "frame, or compare all points");
 }
 
 int vtkSurfaceDistanceFilter::Refuse(const std::string& fault) {
@@ -207,4 +227,5 @@ void vtkSurfaceDistanceFilter::PrintSelf(ostream& os, vtkIndent indent) {
   os << indent << "Signed: " << this->Signed << "\n";
   os << indent << "GenerateVectors: " << this->GenerateVectors << "\n";
   os << indent << "LargestComponentOnly: " << this->LargestComponentOnly << "\n";
+  os << indent << "CoveredOnly: " << this->CoveredOnly << "\n";
 }

@@ -5,15 +5,17 @@
  * Inputs: port 0 the surface, port 1 the reference, each vtkPolyData or vtkStructuredGrid (of which the visible cells
  * are taken, as vtkGeometryFilter does), lengths in mm. Outputs: port 0 the surface and port 1 the reference as
  * vtkPolyData with the point array `Distance` (mm, double) to the other, and with GenerateVectors `DistanceVector`
- * (3 components, mm, double) to its nearest point; port 2 a vtkTable with one row each way,
+ * (3 components, mm, double) to its nearest point, and with CoveredOnly `Covered` (unsigned char, 1 where the point
+ * counts as covered); port 2 a vtkTable with one row each way,
  * columns `direction` ("to reference", "from reference"), `rms_mm`, `mean_mm`, `median_mm`, `p95_mm`, `max_mm`,
  * `area_mm2` and `points`. RMS, mean, median and 95th percentile are weighted with the area that belongs to each
  * point, a third of every triangle around it.
  *
  * Equation: d(p) = min over q of |p - q|; signs from angle-weighted pseudonormals [Baerentzen and Aanaes 2005].
  * Limitations: distances are taken at points, not integrated over triangles, so a coarse surface is measured coarsely.
- * Parts of the reference that the surface does not cover (a head's neck, the inside of its mouth) count in the way
- * back. Errors: an input without polygons or with points that are not finite, a threshold beyond which nothing lies.
+ * Parts of the reference that the surface does not cover (a head's neck) count in the way back unless CoveredOnly is
+ * on. Errors: an input without polygons or with points that are not finite, a threshold beyond which nothing lies,
+ * surfaces of which nothing is covered.
  */
 #ifndef vtkSurfaceDistanceFilter_h
 #define vtkSurfaceDistanceFilter_h
@@ -78,6 +80,15 @@ class MIENSURFACE_EXPORT vtkSurfaceDistanceFilter : public vtkPolyDataAlgorithm 
   ///@}
 
   ///@{
+  /** Whether RMS, mean, percentiles and maximum take only points that the other surface covers: those whose nearest
+   * point does not lie on its rim, where it ends outside or at a hole. Both ways. Default off. The array has all
+   * points. */
+  vtkSetMacro(CoveredOnly, bool);
+  vtkGetMacro(CoveredOnly, bool);
+  vtkBooleanMacro(CoveredOnly, bool);
+  ///@}
+
+  ///@{
   /** Of the last update, mm; direction 0 is from the surface to the reference, 1 the other way. */
   double GetRMSDistance(int direction = 0) const;
   double GetMeanDistance(int direction = 0) const;
@@ -102,6 +113,7 @@ class MIENSURFACE_EXPORT vtkSurfaceDistanceFilter : public vtkPolyDataAlgorithm 
   void operator=(const vtkSurfaceDistanceFilter&) = delete;
 
   int Refuse(const std::string& fault);
+  int RefuseEmptiness(int port);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;
@@ -110,6 +122,7 @@ class MIENSURFACE_EXPORT vtkSurfaceDistanceFilter : public vtkPolyDataAlgorithm 
   bool Signed = false;
   bool GenerateVectors = false;
   bool LargestComponentOnly = false;
+  bool CoveredOnly = false;
 };
 
 #endif

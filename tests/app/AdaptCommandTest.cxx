@@ -56,4 +56,32 @@ TEST(AdaptCommand, WrongInputIsRefused) {
   EXPECT_EQ(entriesIn(folder.file("")), 2);
 }
 
+TEST(AdaptCommand, AListWithoutHeaderIsTheSamePicture) {
+  const TemporaryFolder folder;
+  const std::string text = readTextFile(writePhotograph(folder.file("p.csv")));
+  writeTextFile(folder.file("bare.csv"), text.substr(text.find('\n') + 1));
+  for (const char* const name : {"p", "bare"}) {
+    const Outcome outcome =
+        runMien({"adapt", folder.file(name + std::string(".csv")), "-o", folder.file(name + std::string(".vtp"))});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors;
+  }
+  EXPECT_EQ(readTextFile(folder.file("bare.vtp")), readTextFile(folder.file("p.vtp")));
+}
+
+TEST(AdaptCommand, FaultsOfAListNameFileAndLine) {
+  const TemporaryFolder folder;
+  const std::string list = folder.file("list.csv");
+  const auto faultOf = [&](const std::string& text) {
+    writeTextFile(list, text);
+    const Outcome outcome = runMien({"adapt", list, "-o", folder.file("face.vtp")});
+    EXPECT_EQ(outcome.exitCode, 1);
+    return outcome.errors;
+  };
+  EXPECT_EQ(faultOf("0,1,2\n1,1,two\n").rfind("mien: " + list + ":2: 'two' is no finite number", 0), 0u);
+  EXPECT_EQ(faultOf("1,2\n3,4\n").rfind("mien: " + list + ":2: landmark 2 is missing", 0), 0u);
+  EXPECT_EQ(faultOf("a,b,c\n1,2,3\n").rfind("mien: " + list + ":1: the header must name", 0), 0u);
+  EXPECT_EQ(faultOf("").rfind("mien: " + list + ":1: ", 0), 0u);
+  EXPECT_EQ(entriesIn(folder.file("")), 1);
+}
+
 }  // namespace

@@ -50,6 +50,30 @@ TEST(CompareCommand, UnitsOfTheOtherSurfaceAreToldOrDoubted) {
   EXPECT_EQ(runMien({"compare", millimetres, metres, "--units", "mile"}).exitCode, 2);
 }
 
+TEST(CompareCommand, WhatTheOtherSurfaceDoesNotCoverCanBeLeftOut) {
+  const TemporaryFolder folder;
+  const auto square = [&](const std::string& name, double size, double height) {
+    const std::string a = std::to_string(-size), b = std::to_string(size), z = " " + std::to_string(height) + "\n";
+    writeTextFile(folder.file(name), "v " + a + " " + a + z + "v " + b + " " + a + z + "v " + b + " " + b + z + "v " +
+                                         a + " " + b + z + "v 1 2" + z + "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+    return folder.file(name);
+  };
+  const std::string small = square("small.obj", 10.0, 3.0), large = square("large.obj", 40.0, 1.0);
+  const json all = comparison(small, large);
+  EXPECT_FALSE(all["covered"]);
+  EXPECT_GT(all["b_to_a"]["max_mm"], 40.0);
+  const Outcome outcome = runMien({"compare", small, large, "--covered", "-o", folder.file("d.vtp")});
+  EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("Covered: points whose nearest point lies on the rim"), std::string::npos)
+      << outcome.output;
+  const json covered = json::parse(runMien({"compare", small, large, "--covered", "--json"}).output);
+  EXPECT_TRUE(covered["covered"]);
+  EXPECT_NEAR(covered["a_to_b"]["max_mm"].get<double>(), 2.0, 1e-6);
+  EXPECT_NEAR(covered["b_to_a"]["max_mm"].get<double>(), 2.0, 1e-6);
+  EXPECT_EQ(covered["b_to_a"]["points"], 1);
+  EXPECT_NE(runMien({"compare", "--help"}).output.find("--covered"), std::string::npos);
+}
+
 TEST(CompareCommand, WaysAreExchangedWithTheSurfaces) {
   const TemporaryFolder folder;
   const std::string a = surface(folder, "a.vts"), b = surface(folder, "b.ply", "four-curve");

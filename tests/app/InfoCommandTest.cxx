@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "FAPUnits.h"
@@ -138,6 +139,61 @@ TEST(InfoCommand, EveryMalformedAnimationIsRefusedWithFileAndLineByEveryCommandT
   }
   EXPECT_GE(files, 37);
   EXPECT_EQ(entriesIn(folder.file("")), 0) << "a refused animation must leave no file";
+}
+
+TEST(InfoCommand, TellsAScan) {
+  const TemporaryFolder folder;
+  const std::string scan = folder.file("face.ply");
+  ASSERT_EQ(runMien({"surface", "-o", scan}).exitCode, 0);
+  const json about = infoOf({scan})["scan"];
+  EXPECT_EQ(about["unit"], "mm");
+  EXPECT_EQ(about["components"], 1);
+  EXPECT_GT(about["points"], 1000);
+  EXPECT_GE(about["boundary_loops"], 2) << "above and below";
+  EXPECT_EQ(about["polygons"]["triangles"].get<int>() + 2 * about["polygons"]["quads"].get<int>(), about["triangles"]);
+  EXPECT_EQ(about["bounds"], about["bounds_mm"]);
+  const json face = infoOf({})["face"];
+  EXPECT_NEAR(about["bounds"]["z"][1].get<double>(), face["bounds"]["z"][1].get<double>(), 3.0);
+  const Outcome outcome = runMien({"info", scan});
+  for (const char* const part : {"components", "boundary loops", "unit", "mm, guessed"})
+    EXPECT_NE(outcome.output.find(part), std::string::npos) << outcome.output;
+}
+
+TEST(InfoCommand, TellsPhotographsTheirMeshesAndLandmarks) {
+  const std::string textures = MIEN_DATA_DIR "/textures/";
+  const json photograph = infoOf({textures + "painted.png"})["picture"];
+  EXPECT_EQ(photograph["kind"], "photograph");
+  EXPECT_EQ(photograph["mesh"], textures + "painted.csv");
+  EXPECT_GT(photograph["pixels"][0], 100);
+  EXPECT_GT(photograph["mesh_rows"], 7);
+  const json mesh = infoOf({textures + "painted_7x7.csv"})["picture"];
+  EXPECT_EQ(mesh["mesh_rows"], 7);
+  EXPECT_EQ(mesh["mesh_columns"], 7);
+  const json landmarks = infoOf({MIEN_DATA_DIR "/faces/generic68.csv"})["picture"];
+  EXPECT_EQ(landmarks["landmarks"], 68);
+  EXPECT_EQ(landmarks["kind"], "landmarks of a scan");
+  EXPECT_NE(runMien({"info", textures + "painted.png"}).output.find("mesh beside it"), std::string::npos);
+}
+
+/// Every command that reads scans says the same of a bad one, and leaves nothing behind.
+TEST(InfoCommand, EveryMalformedScanIsRefusedByEveryCommandThatReadsIt) {
+  const TemporaryFolder folder;
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(MIEN_TEST_DIR "/data/malformed/scans")) {
+    const std::string file = entry.path().string();
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"info", file},
+                                                  {"acquire", file, "-o", folder.file("face.vtp")},
+                                                  {"compare", file, file, "-o", folder.file("distance.vtp")}}) {
+      const Outcome outcome = runMien(words);
+      EXPECT_EQ(outcome.exitCode, 1) << words[0] << " " << file;
+      EXPECT_EQ(outcome.errors.rfind("mien: " + file + ": ", 0), 0u) << outcome.errors;
+      EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+      EXPECT_EQ(outcome.output, "") << file;
+    }
+    ++files;
+  }
+  EXPECT_EQ(files, 81);
+  EXPECT_EQ(entriesIn(folder.file("")), 0);
 }
 
 }  // namespace

@@ -101,3 +101,29 @@ TEST(FaceAcquisition, SymmetrisedFacesMirrorToTheLastBit) {
     }
   EXPECT_EQ(symmetrised(mirror).curves.points, mirror.curves.points);
 }
+
+// A ray below the tip of a nose leaves the skin in a nostril: one deep sample made bumps across the whole cheek.
+TEST(FaceAcquisition, NostrilsAreNoPartOfTheCurves) {
+  constexpr double degree = M_PI / 180.0;
+  SyntheticHead smooth = ellipticHead(), pierced = ellipticHead();
+  const auto round = ellipticHead().radius;
+  smooth.radius = [round](double azimuth, double y) {
+    return round(azimuth, y) + 20.0 * std::exp(-std::pow(azimuth / (9.0 * degree), 2) - std::pow((y + 2.0) / 12.0, 2));
+  };
+  pierced.radius = [radius = smooth.radius](double azimuth, double y) {
+    const bool inNostril = std::abs(std::abs(azimuth) - 4.0 * degree) < 2.1 * degree && y < 1.0 && y > -9.0;
+    return radius(azimuth, y) - (inNostril ? 25.0 : 0.0);
+  };
+  FaceCurves expected, face;
+  ASSERT_EQ(acquireFace(smooth.mesh(), smooth.landmarks(), 40, expected), "");
+  ASSERT_EQ(acquireFace(pierced.mesh(), smooth.landmarks(), 40, face), "");
+  const HeadAxis axis = headAxis(smooth.landmarks());
+  double deepest = 0.0;
+  for (int c = 0; c < face.curves.count; ++c)
+    for (int j = 0; j < 40; ++j) {
+      const double narrower = axis.radius(expected.curves.curve(c).row(j)) - axis.radius(face.curves.curve(c).row(j));
+      deepest = std::max(deepest, narrower);
+      EXPECT_GT(narrower, -0.5) << FaceLayout::curveName(c) << " point " << j;
+    }
+  EXPECT_LT(deepest, 9.0) << "as far out as the wing, not 25 mm deeper";
+}

@@ -148,3 +148,33 @@ TEST(LandmarkTable, PicturesNeedNoDepthButAllLandmarks) {
   ASSERT_EQ(parsePictureLandmarks(file + "67,3,4\n", landmarks), "");
   EXPECT_EQ(landmarks[67], Eigen::Vector3d(3.0, 4.0, 0.0));
 }
+
+TEST(LandmarkTable, AListOfAPictureMayHaveNoHeader) {
+  std::string numbered, plain, named;
+  for (int i = 0; i < 68; ++i) {
+    const std::string place = std::to_string(2 * i) + ".5," + std::to_string(-i) + "\r\n";
+    plain += place;
+    numbered = std::to_string(i) + "," + place + numbered;  // in any order
+    named += (i == 30 ? "nose_tip" : std::to_string(i)) + "," + place;
+  }
+  for (const std::string& file : {plain, numbered, named, "# a remark\n" + plain, "\xEF\xBB\xBF" + numbered}) {
+    FaceLandmarks landmarks;
+    ASSERT_EQ(parsePictureLandmarks(file, landmarks), "") << file.substr(0, 20);
+    EXPECT_EQ(landmarks[0], Eigen::Vector3d(0.5, 0.0, 0.0));
+    EXPECT_EQ(landmarks[67], Eigen::Vector3d(134.5, -67.0, 0.0));
+  }
+}
+
+TEST(LandmarkTable, FaultsOfAListWithoutHeaderNameTheirLine) {
+  const auto faultOf = [](const std::string& file) {
+    FaceLandmarks landmarks;
+    return parsePictureLandmarks(file, landmarks);
+  };
+  EXPECT_EQ(faultOf("0,1,2\n1,1,2\n").rfind("2: landmark 2 is missing", 0), 0u);
+  EXPECT_EQ(faultOf("0,1,2\n1,1\n").rfind("2: there are 2 cells under 3 columns", 0), 0u);
+  EXPECT_EQ(faultOf("0.5,1,2\n").rfind("1: '0.5' is no landmark", 0), 0u);
+  EXPECT_EQ(faultOf("0,1,2,3\n").rfind("1: the header must name", 0), 0u) << "places in space are no picture";
+  EXPECT_EQ(faultOf("0,x,2\n").rfind("1: the header must name", 0), 0u);
+  LandmarkTable table;
+  EXPECT_EQ(parseLandmarks("0,1,2,3\n", table).rfind("1: the header must name", 0), 0u) << "scans need theirs";
+}

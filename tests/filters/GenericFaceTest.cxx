@@ -111,6 +111,7 @@ TEST(GenericFace, IsWhatTheDocumentedCommandMeasures) {
   const TemporaryFolder folder;
   options.outputFile = folder.file("generic.vtp");
   options.mean = true;
+  options.scan.nostrils = true;
   ASSERT_EQ(mien::acquire(options), "");
   vtkNew<vtkBoundaryCurveReader> reader;
   reader->SetFileName(options.outputFile.c_str());

@@ -5,7 +5,7 @@
 #include <functional>
 #include <random>
 
-#include "ErrorCounter.h"
+#include "ComparedSurfaces.h"
 #include "ReferenceData.h"
 #include "SurfaceDistance.h"
 #include "SurfaceMesh.h"
@@ -17,53 +17,13 @@
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPLYReader.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkSphereSource.h"
 #include "vtkSurfaceDistanceFilter.h"
 #include "vtkTable.h"
 #include "vtkTriangle.h"
-
-namespace {
-
-vtkSmartPointer<vtkPolyData> sphere(double radius, int resolution = 32) {
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(radius);
-  source->SetThetaResolution(resolution);
-  source->SetPhiResolution(resolution);
-  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  source->Update();
-  return source->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> plane(double size, double height, int resolution) {
-  vtkNew<vtkPlaneSource> source;
-  source->SetOrigin(-size, -size, height);
-  source->SetPoint1(size, -size, height);
-  source->SetPoint2(-size, size, height);
-  source->SetResolution(resolution, resolution);
-  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  source->Update();
-  return source->GetOutput();
-}
-
-struct Comparison {
-  vtkNew<vtkSurfaceDistanceFilter> filter;
-  ErrorCounter errors{filter};
-
-  Comparison(vtkDataObject* surface, vtkDataObject* reference) {
-    filter->SetInputData(surface);
-    filter->SetReferenceData(reference);
-  }
-  vtkDataArray* distances(int port = 0) {
-    return vtkPolyData::SafeDownCast(filter->GetOutputDataObject(port))->GetPointData()->GetArray("Distance");
-  }
-};
-
-}  // namespace
 
 TEST(SurfaceDistanceFilter, ShiftedPlanesAreExactlyApart) {
   Comparison planes(plane(10.0, 3.5, 7), plane(20.0, 1.0, 5));

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "MeshTextFault.h"
+#include "PolygonCounts.h"
 #include "ScanHeader.h"
 
 using namespace mien;
@@ -12,6 +13,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string start(reinterpret_cast<const char*>(data), size);
   for (const char* const ending : {".ply", ".off", ".stl", ".obj"})
     if (!promisesTooMuch(start, ending, size) && promisesTooMuch(start, ending, 2 * size + 1)) std::abort();
-  for (const char* const ending : {".ply", ".off", ".obj"}) describeMeshTextFault(start, ending);
+  for (const char* const ending : {".ply", ".off", ".obj", ".stl"}) {
+    describeMeshTextFault(start, ending);
+    countPolygons(start, ending);
+  }
   return 0;
 }

@@ -218,7 +218,7 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "act") act(window);
   if (key == "measure") measure(window);
   if (key == "wait") wait(value.toInt());
-  if (key == "file") window.openAnimation(value);
+  if (key == "file") window.openFile(value);
   if (key == "frame") model.showFrame(value.toDouble());
   if (key == "range") window.player().setRange(value.section(':', 0, 0).toInt(), value.section(':', 1).toInt());
 }

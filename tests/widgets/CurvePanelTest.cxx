@@ -19,6 +19,7 @@
 #include "CurveHandle.h"
 #include "CurvePanel.h"
 #include "FaceModel.h"
+#include "History.h"
 #include "StudioFixture.h"
 
 namespace {
@@ -172,6 +173,24 @@ TEST_F(CurveDrag, ADragIsTheEditOfTheSameNumbers) {
   ASSERT_EQ(edits().size(), 1u);
   EXPECT_TRUE(edits().front() == dragged);
   EXPECT_EQ(face().curves.points, during.curves.points);
+}
+
+TEST_F(CurveDrag, IsOneStepOfTheHistory) {
+  const mien::FaceCurves before = face();
+  window->history().clear();
+  grab(14, 24);
+  for (int i = 1; i <= 4; ++i) {
+    drag(i, -i);
+    settle();
+  }
+  EXPECT_EQ(window->history().count(), 0);
+  release(4, -4);
+  settle();
+  EXPECT_EQ(window->history().count(), 1);
+  EXPECT_EQ(window->history().undoText().toStdString(), "move of a curve");
+  window->history().undo();
+  EXPECT_EQ(edits().size(), 0u);
+  EXPECT_EQ(face().curves.points, before.curves.points);
 }
 
 TEST_F(CurveDrag, ThePointStaysUnderTheMouse) {

@@ -242,6 +242,22 @@ TEST_F(Session, StartsWithFormatAndVersion) {
   EXPECT_EQ(window->windowTitle().toStdString(), "a.mien-session.json[*]");
 }
 
+TEST_F(Session, TheTitleNamesTheFileAndMarksWhatHasChanged) {
+  EXPECT_EQ(window->windowTitle().toStdString(), "New session[*]");
+  EXPECT_FALSE(window->isWindowModified());
+  QTest::keyClick(find<QComboBox>("faceMesh"), Qt::Key_Down);
+  settle();
+  EXPECT_TRUE(window->isWindowModified());
+  ASSERT_TRUE(window->document().save(file("a.mien-session.json")));
+  EXPECT_EQ(window->windowTitle().toStdString(), "a.mien-session.json[*]");
+  EXPECT_FALSE(window->isWindowModified());
+  QTest::keyClick(find<QComboBox>("faceMesh"), Qt::Key_Down);
+  settle();
+  EXPECT_TRUE(window->isWindowModified());
+  window->history().undo();
+  EXPECT_FALSE(window->isWindowModified()) << "as it was saved";
+}
+
 TEST_F(Session, OpensTheStateThatAFigureCarries) {
   FaceState joy;
   joy.expressions["joy"] = 1.0;

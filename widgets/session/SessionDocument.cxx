@@ -39,9 +39,9 @@ bool SessionDocument::isModified() const {
   return !history_->isClean();
 }
 
+/// The desktop adds the program's name.
 void SessionDocument::showTitle() {
-  const QString name =
-      file_.isEmpty() ? QCoreApplication::translate("StudioWindow", "Mien Studio") : QFileInfo(file_).fileName();
+  const QString name = file_.isEmpty() ? tr("New session") : QFileInfo(file_).fileName();
   window_->setWindowTitle(name + "[*]");
   window_->setWindowModified(isModified());
 }

@@ -21,7 +21,6 @@ namespace {
 using json = nlohmann::ordered_json;
 
 constexpr int smallestCurve = 8, largestCurve = 4096;  // points
-constexpr int progressSteps = 1000;
 constexpr double doubtfulDepth = 1.0;  // mm; another head's landmarks seldom lie nearer: doc/decisions.md
 
 struct Options {
@@ -143,9 +142,9 @@ void run(const Options& given) {
   std::vector<AcquireResult> results;
   std::string fault;
   {
-    ProgressLine line(progressSteps, "part");
+    ProgressLine line;
     fault = acquire(options, &results, [&](double done) {
-      line.show(static_cast<int>(progressSteps * done));
+      line.showShare(done);
       return !wasInterrupted();
     });
   }
@@ -176,6 +175,8 @@ void addAcquireCommand(CLI::App& program) {
   command->add_option("--decimate", acquire.triangles, "Triangles left before measuring, by quadric error [all]");
   command->add_flag("--all-parts", acquire.scan.allParts,
                     "Loose parts count too, not only the largest and the eyeballs");
+  command->add_flag("--nostrils", acquire.scan.nostrils,
+                    "Curves go into the nostrils, as those of the generic face do, instead of from rim to rim");
   command->add_flag("--mean", acquire.mean, "The symmetric mean of all scans");
   command->add_option("--points", acquire.scan.pointsPerCurve, "Points per curve, even")->capture_default_str();
   command->add_flag("--report", acquire.report,

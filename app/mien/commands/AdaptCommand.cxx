@@ -93,7 +93,8 @@ void addAdaptCommand(CLI::App& program) {
       program.add_subcommand("adapt", "Fit the generic face to the 68 landmarks of a frontal photograph");
   command
       ->add_option("picture", options->picture,
-                   "68 landmarks, FILE.csv with the columns landmark,x,y (pixels), or x,y in their order")
+                   "68 landmarks, FILE.csv with the columns landmark,x,y (pixels), or x,y in their order; a header is "
+                   "needed only for another order of columns")
       ->required();
   CLI::Option* down = command->add_flag("--y-down", options->yDown, "y grows downwards [recognised]");
   command->add_flag("--y-up", options->yUp, "y grows upwards")->excludes(down);

@@ -32,7 +32,7 @@ using json = nlohmann::ordered_json;
 struct Options {
   std::string surface, reference, units;
   ReportOptions report{{"vtp"}};
-  bool frontal = false, withSign = false, skin = false;
+  bool frontal = false, withSign = false, skin = false, covered = false;
 };
 
 std::string shortName(const std::string& name) {
@@ -47,15 +47,18 @@ std::string direction(const Options& options, int way) {
 std::vector<double> distances(const Options& options, vtkDataObject* output, double threshold) {
   auto* surface = vtkPolyData::SafeDownCast(output);
   vtkDataArray* array = surface->GetPointData()->GetArray("Distance");
+  vtkDataArray* covered = surface->GetPointData()->GetArray("Covered");
   std::vector<double> values;
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
-    if (!options.frontal || surface->GetPoint(i)[2] > threshold) values.push_back(array->GetTuple1(i));
+    if ((!options.frontal || surface->GetPoint(i)[2] > threshold) && (!covered || covered->GetTuple1(i) > 0.0))
+      values.push_back(array->GetTuple1(i));
   return values;
 }
 
 Report reportOf(const Options& options, vtkSurfaceDistanceFilter* filter) {
   Report report;
-  report.json = {{"a", options.surface}, {"b", options.reference}, {"frontal", options.frontal}};
+  report.json = {
+      {"a", options.surface}, {"b", options.reference}, {"frontal", options.frontal}, {"covered", options.covered}};
   report.rows = tableRows(vtkTable::SafeDownCast(filter->GetOutputDataObject(2)));
   for (int way = 0; way < 2; ++way) {
     json& row = report.rows[way];
@@ -64,11 +67,16 @@ Report reportOf(const Options& options, vtkSurfaceDistanceFilter* filter) {
     measures.erase("direction");
     report.json[way == 0 ? "a_to_b" : "b_to_a"] = measures;
   }
+  if (options.covered)
+    report.remarks = {
+        "Covered: points whose nearest point lies on the rim of the other surface, or of a hole in it, do "
+        "not count; area_mm2 is what counts."};
   report.figure = [&options, filter] {
     Figure figure = distanceFigure(
         {{direction(options, 0), distances(options, filter->GetOutputDataObject(0), filter->GetFrontalThreshold())},
          {direction(options, 1), distances(options, filter->GetOutputDataObject(1), filter->GetFrontalThreshold())}});
-    figure.note = std::string(options.frontal ? "Points with z > 50 mm" : "All points") + "; Mien " MIEN_VERSION;
+    figure.note = std::string(options.frontal ? "Points with z > 50 mm" : "All points") +
+                  (options.covered ? " that the other surface covers" : "") + "; Mien " MIEN_VERSION;
     return figure;
   };
   return report;
@@ -117,6 +125,7 @@ void run(const Options& options) {
   filter->SetFrontalOnly(options.frontal);
   filter->SetSigned(options.withSign);
   filter->SetLargestComponentOnly(options.skin);
+  filter->SetCoveredOnly(options.covered);
   filter->Update();
   if (!errors.first().empty()) throw FileFailure(options.surface + ", " + options.reference + ": " + errors.first());
   for (const std::string& name : options.report.outputs("vtp"))
@@ -137,10 +146,15 @@ void addCompareCommand(CLI::App& program) {
   command->add_flag("--signed", options->withSign, "Distances behind the other surface are negative in the .vtp file");
   command->add_flag("--largest-part", options->skin,
                     "Only the largest connected part of B counts, such as skin without eyeballs");
+  command->add_flag("--covered", options->covered,
+                    "Only points that the other surface covers count, both ways: not those whose nearest point lies on "
+                    "its rim or that of a hole, such as a neck below a face");
   command->footer(
       "Example: mien compare face.vts scan.ply --frontal -o distance.vtp -o distance.svg\n"
+      "         mien compare face.vts scan.ply --covered --largest-part\n"
       "RMS, mean, median and 95th percentile (p95) are weighted with the area around each point: 95 % of the area lie\n"
-      "no further away. The .vtp file is A with the point array Distance (mm).");
+      "no further away. The .vtp file is A with the point array Distance (mm), and with --covered the array Covered (1 "
+      "or 0).");
   command->callback([options] { run(*options); });
 }
 

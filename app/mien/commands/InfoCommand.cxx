@@ -17,9 +17,11 @@
 #include "InfoText.h"
 #include "NumberText.h"
 #include "OutputFile.h"
+#include "PictureInfo.h"
 #include "ProgressLine.h"
 #include "Remarks.h"
 #include "RowLayout.h"
+#include "ScanInfo.h"
 #include "TableInfo.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkDataArray.h"
@@ -165,24 +167,34 @@ json describeContact(const Options& options) {
   return {{"frames", contact.clamped}, {"largest_mm", contact.largest}};
 }
 
+/// A kind of file that a describer of its own knows.
+struct Kind {
+  const char* name;                           ///< of the object in JSON
+  json (*describe)(const std::string& file);  ///< null for other files
+  void (*print)(const json& about);
+};
+
+constexpr Kind kinds[] = {{"table", describeTableFile, printTableFile},
+                          {"scan", describeScanFile, printScanFile},
+                          {"picture", describePictureFile, printPictureFile}};
+
+void deliver(const Options& options, const char* name, const json& about, void (*print)(const json&)) {
+  if (options.json)
+    std::cout << json{{name, about}}.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+  else
+    print(about);
+}
+
 void run(const Options& options) {
-  const json table = describeTableFile(options.file);
-  if (!table.is_null()) {
-    if (options.json)
-      std::cout << json{{"table", table}}.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
-    else
-      printTableFile(table);
-    return;
+  for (const Kind& kind : kinds) {
+    const json about = kind.describe(options.file);
+    if (!about.is_null()) return deliver(options, kind.name, about, kind.print);
   }
   const std::string ending = fileEnding(options.file);
   const bool isAnimation = ending == "fap" || ending == "csv" || options.file == "-";
   json about = isAnimation ? describeAnimation(options.file) : aboutFace(options);
   if (isAnimation && options.json && options.file != "-") about["contact"] = describeContact(options);
-  if (options.json)
-    std::cout << json{{isAnimation ? "fap" : "face", about}}.dump(2, ' ', false, json::error_handler_t::replace)
-              << "\n";
-  else
-    isAnimation ? printAnimation(about) : printFace(about);
+  isAnimation ? deliver(options, "fap", about, printAnimation) : deliver(options, "face", about, printFace);
 }
 
 }  // namespace
@@ -190,13 +202,15 @@ void run(const Options& options) {
 void addInfoCommand(CLI::App& program) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("info", "Tell what a file or the generic face holds");
-  command->add_option("file", options->file,
-                      "Boundary curves .vtp .mienz or animation .fap .csv, facial deformation table or markers .csv "
-                      ".fdt [the generic face]");
+  command->add_option(
+      "file", options->file,
+      "Boundary curves .vtp .mienz, animation .fap .csv, facial deformation table or markers .csv .fdt, scan "
+      ".ply .obj .stl .off, photograph .png .jpg .tif, its mesh or landmarks .csv [the generic face]");
   command->add_flag("--json", options->json, "Machine-readable");
   options->face.addSurfaceOptions(*command);
   command->footer(
       "Example: mien info --json\n         mien info speech.fap\n         mien info take.csv\n         mien info "
+      "scan.ply\n         mien info "
       "--resolution 60x40");
   command->callback([options] { run(*options); });
 }

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -26,15 +27,38 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::show(int done) {
-  const Clock::time_point now = Clock::now();
-  if (!visible_ || seconds(now - shown_) < secondsBetweenLines) return;
-  shown_ = now;
+  if (!isDue()) return;
   std::string text = std::string(what_) + " " + std::to_string(done);
   if (total_ > 0) text += " of " + std::to_string(total_);
-  if (total_ > 0 && done > 0)  // before that nobody knows
-    text += ", " + readableTime(seconds(now - begin_) / done * (total_ - done)) + " left";
-  std::fprintf(stderr, "%s%s", clearLine, text.c_str());
+  write(text, total_ > 0 ? static_cast<double>(done) / total_ : 0.0);
+}
+
+void ProgressLine::showShare(double done) {
+  if (isDue()) write(bar(done), done);
+}
+
+bool ProgressLine::isDue() {
+  const Clock::time_point now = Clock::now();
+  if (!visible_ || seconds(now - shown_) < secondsBetweenLines) return false;
+  shown_ = now;
+  return true;
+}
+
+void ProgressLine::write(const std::string& text, double share) {
+  std::string left;
+  if (share > 0.0)  // before that nobody knows
+    left = ", " + readableTime(seconds(shown_ - begin_) / share * (1.0 - share)) + " left";
+  std::fprintf(stderr, "%s%s%s", clearLine, text.c_str(), left.c_str());
   std::fflush(stderr);
+}
+
+std::string ProgressLine::bar(double share) {
+  constexpr int width = 30;  // with the time it fits into 80 columns
+  const double whole = std::clamp(share, 0.0, 1.0);
+  const auto filled = static_cast<std::size_t>(std::floor(width * whole));
+  const std::string percent = std::to_string(std::lround(std::floor(100.0 * whole)));
+  return "[" + std::string(filled, '=') + std::string(width - filled, ' ') + "] " +
+         std::string(3 - percent.size(), ' ') + percent + " %";
 }
 
 std::string ProgressLine::readableTime(double seconds) {

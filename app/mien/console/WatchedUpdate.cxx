@@ -9,18 +9,12 @@
 
 namespace mien {
 
-namespace {
-
-constexpr int progressSteps = 1000;
-
-}  // namespace
-
 void updateWatched(vtkAlgorithm* filter, const char* what) {
   noteInterruptions();
-  ProgressLine line(progressSteps, "part");
+  ProgressLine line;
   updateWith(
       [&](double done) {
-        line.show(static_cast<int>(progressSteps * done));
+        line.showShare(done);
         return !wasInterrupted();
       },
       filter);

@@ -21,11 +21,58 @@ EarlessSkin skinBetweenCurves(const RadialSkin& skin, const FaceProfiles& profil
   return EarlessSkin(skin, profiles.height(FaceLayout::curveCount - 1, 0.0) - margin, profiles.height(0, 0.0) + margin);
 }
 
-double sampleRadius(const EarlessSkin& skin, const FaceProfiles& profiles, int curve, double azimuth, double y) {
+/// A ray below the tip of a nose can leave the skin in a nostril. Between its wings a nose only narrows outwards: a
+/// place that lies deeper than one further out is in a nostril, and gets the radius of the straight line from rim to
+/// rim.
+class NoseWings {
+ public:
+  NoseWings(const FaceLandmarks& landmarks, const HeadAxis& axis, bool open)
+      : open_(open),
+        right_(wider * axis.azimuth(landmarks[31])),
+        left_(wider * axis.azimuth(landmarks[35])),
+        low_(landmarks[33].y() - margin),
+        high_(landmarks[30].y() + margin) {}
+
+  double radius(const EarlessSkin& skin, double azimuth, double y) const {
+    const double here = skin.radius(azimuth, y);
+    if (open_ || !(y > low_ && y < high_)) return here;
+    const double side = azimuth < 0.0 ? -1.0 : 1.0, limit = side * (side < 0.0 ? right_ : left_);
+    const auto at = [&](double aside) { return Rim{aside, skin.radius(side * aside, y)}; };
+    const double aside = side * azimuth;
+    Rim outer{aside, here};
+    for (double further = aside + step; further < limit; further += step)
+      if (const Rim other = at(further); other.radius > outer.radius) outer = other;
+    if (outer.aside <= aside) return here;
+    Rim inner = at(std::max(0.0, aside - step));
+    while (inner.aside > 0.0 && inner.radius < outer.radius) inner = at(std::max(0.0, inner.aside - step));
+    for (Rim next = at(std::max(0.0, inner.aside - step)); next.radius > inner.radius * (1.0 + step);)
+      inner = next, next = at(std::max(0.0, inner.aside - step));  // up the wall of the nostril
+    return inner.radius >= outer.radius ? between(inner, outer, aside) : here;
+  }
+
+ private:
+  struct Rim {
+    double aside, radius;
+  };
+
+  static double between(const Rim& a, const Rim& b, double aside) {
+    return a.radius * b.radius * std::sin(b.aside - a.aside) /
+           (a.radius * std::sin(aside - a.aside) + b.radius * std::sin(b.aside - aside));
+  }
+
+  static constexpr double step = M_PI / 360.0;
+  static constexpr double wider = 1.6;   // wings reach beyond the nostrils, which the landmarks follow
+  static constexpr double margin = 3.0;  // mm
+  bool open_;                            ///< nostrils stay as they are
+  double right_, left_, low_, high_;
+};
+
+double sampleRadius(const EarlessSkin& skin, const NoseWings& nose, const FaceProfiles& profiles, int curve,
+                    double azimuth, double y) {
   const bool lips = curve == FaceLayout::upperLip || curve == FaceLayout::lowerLip;
   const double w = lips ? profiles.lipWeight(azimuth) : 0.0;
   const double contact = w > 0.0 ? w * profiles.lipRadius(azimuth) : 0.0;
-  return w < 1.0 ? contact + (1.0 - w) * skin.radius(azimuth, y) : contact;
+  return w < 1.0 ? contact + (1.0 - w) * nose.radius(skin, azimuth, y) : contact;
 }
 
 /// Where a scan ends at a rim near the outermost curves, they run along the rim: the nearest height towards the face's
@@ -50,7 +97,8 @@ std::string missingSkin(int curve, int j, double y) {
          " (height " + roundedText(y) + " mm); the head must be whole all around";
 }
 
-std::string sampleCurves(const EarlessSkin& skin, const FaceProfiles& profiles, ClosedCurves& curves) {
+std::string sampleCurves(const EarlessSkin& skin, const NoseWings& nose, const FaceProfiles& profiles,
+                         ClosedCurves& curves) {
   const double middle = 0.5 * (profiles.height(0, 0.0) + profiles.height(curves.count - 1, 0.0));
   for (int c = 0; c < curves.count; ++c)
     for (int j = 0; j < curves.pointsPerCurve; ++j) {
@@ -58,7 +106,7 @@ std::string sampleCurves(const EarlessSkin& skin, const FaceProfiles& profiles, 
       const bool outermost = c < 4 || c >= curves.count - 4;
       const double wanted = profiles.height(c, azimuth),
                    y = outermost ? heightWithSkin(skin, azimuth, wanted, middle) : wanted;
-      const double radius = sampleRadius(skin, profiles, c, azimuth, y);
+      const double radius = sampleRadius(skin, nose, profiles, c, azimuth, y);
       if (!std::isfinite(radius)) return missingSkin(c, j, y);
       curves.curve(c).row(j) = skin.axis().point(azimuth, y, radius);
     }
@@ -96,15 +144,16 @@ double sampleAzimuth(double v) {
   return t - frontDensity * std::sin(t);
 }
 
-std::string acquireFace(const TriangleMesh& mesh, const FaceLandmarks& landmarks, int pointsPerCurve,
-                        FaceCurves& face) {
+std::string acquireFace(const TriangleMesh& mesh, const FaceLandmarks& landmarks, int pointsPerCurve, FaceCurves& face,
+                        bool nostrils) {
   for (const std::string& fault : {describeFault(mesh), describeFault(landmarks)})
     if (!fault.empty()) return fault;
   const FaceProfiles profiles(landmarks);
   const RadialSkin skin(mesh, profiles.axis());
   FaceCurves measured;
   measured.curves = ClosedCurves(FaceLayout::curveCount, pointsPerCurve);
-  std::string fault = sampleCurves(skinBetweenCurves(skin, profiles), profiles, measured.curves);
+  std::string fault = sampleCurves(skinBetweenCurves(skin, profiles), NoseWings(landmarks, profiles.axis(), nostrils),
+                                   profiles, measured.curves);
   if (!fault.empty()) return fault;
   measured.leftPupil = pupil(landmarks, 42);
   measured.rightPupil = pupil(landmarks, 36);

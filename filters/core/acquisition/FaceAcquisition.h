@@ -15,7 +15,10 @@ double sampleAzimuth(double v);
 /// A sample lies where the horizontal ray from the head's axis leaves the skin, at the height that FaceProfiles gives
 /// its curve. The lips are taken as closed: C22 and C22' coincide. Ears are taken off (EarlessSkin).
 /// @return nothing, or one sentence that says what is wrong; `face` is then left alone
-std::string acquireFace(const TriangleMesh& mesh, const FaceLandmarks& landmarks, int pointsPerCurve, FaceCurves& face);
+/// @param nostrils  whether curves go into the nostrils where the rays below the tip of the nose do; else they are
+/// bridged
+std::string acquireFace(const TriangleMesh& mesh, const FaceLandmarks& landmarks, int pointsPerCurve, FaceCurves& face,
+                        bool nostrils = false);
 
 /// The mean of faces measured with the same K: curves, feature addresses and pupils.
 /// @return nothing, or one sentence that says which face does not fit the first

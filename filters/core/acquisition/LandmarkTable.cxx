@@ -116,17 +116,32 @@ std::string describeUnnumbered(const Cells& header) {
   return {};
 }
 
+/// The columns of a list of landmarks on a picture that begins without a header: x and y, or number, x and y. Nothing
+/// of any other first line.
+Cells impliedColumns(const Cells& first) {
+  const bool numbered = first.size() == 3;
+  if (!numbered && first.size() != 2) return {};
+  for (std::size_t i = 0; i < first.size(); ++i)
+    if (!parseNumber(first[i]) && !(numbered && i == 0 && parseLandmark(first[i]) >= 0)) return {};
+  return numbered ? Cells{"landmark", "x", "y"} : Cells{"x", "y"};
+}
+
 /// All lines of a file whose header was judged by `accepts`.
+/// @param implied  the columns of a file without header, from its first line; none: that line is the header
 template <class Accepts>
-std::string parseRows(const std::string& text, LandmarkTable& table, int& lines, Accepts accepts) {
+std::string parseRows(
+    const std::string& text, LandmarkTable& table, int& lines, Accepts accepts,
+    Cells (*implied)(const Cells&) = [](const Cells&) { return Cells(); }) {
   LineReader file(text);
   file.next();
-  const Cells header = splitAtCommas(file.line());
+  const Cells first = splitAtCommas(file.line()), without = implied(first);
+  const Cells& header = without.empty() ? first : without;
   const Columns columns(header);
   std::string fault = accepts(columns);
   if (fault.empty()) fault = describeUnnumbered(header);
   table.hasVertices = columns.vertex >= 0;
   RowReader reader(columns, table);
+  if (fault.empty() && !without.empty()) fault = reader.read(first);
   while (fault.empty() && file.next()) fault = reader.read(splitAtCommas(file.line()));
   lines = std::max(1, file.number());
   return fault.empty() ? fault : std::to_string(lines) + ": " + fault;
@@ -166,9 +181,12 @@ std::string parseLandmarks(const std::string& text, LandmarkTable& table) {
 std::string parsePictureLandmarks(const std::string& text, FaceLandmarks& landmarks) {
   LandmarkTable parsed;
   int lines = 0;
-  std::string fault = parseRows(text, parsed, lines, [](const Columns& columns) {
-    return columns.hasPlane() ? std::string() : "the header must name the columns landmark, x and y";
-  });
+  const auto accepts = [](const Columns& columns) {
+    return columns.hasPlane() ? std::string()
+                              : "the header must name the columns landmark, x and y; without a header the rows are "
+                                "landmark,x,y, or x,y in the order of the landmarks";
+  };
+  std::string fault = parseRows(text, parsed, lines, accepts, impliedColumns);
   if (!fault.empty()) return fault;
   fault = missingLandmark(parsed.given, false);
   if (!fault.empty()) return std::to_string(lines) + ": " + fault;

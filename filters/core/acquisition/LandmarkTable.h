@@ -27,7 +27,8 @@ struct LandmarkTable {
 /// @return nothing, or "LINE: what is wrong and what to do"
 std::string parseLandmarks(const std::string& text, LandmarkTable& table);
 
-/// Parses landmarks of a picture: as above with the columns `x` and `y` alone (z is 0), and all 68 of them.
+/// Parses landmarks of a picture: as above with the columns `x` and `y` alone (z is 0), and all 68 of them. The header
+/// may be missing where the rows are `landmark,x,y`, or `x,y` in the order of the landmarks.
 /// @return nothing, or "LINE: what is wrong and what to do"
 std::string parsePictureLandmarks(const std::string& text, FaceLandmarks& landmarks);
 

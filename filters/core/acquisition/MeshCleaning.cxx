@@ -5,26 +5,12 @@
 #include <array>
 #include <numeric>
 
+#include "EdgeRings.h"
 #include "JoinedSets.h"
 
 namespace mien {
 
 namespace {
-
-/// For each vertex the first one at its place.
-std::vector<int> firstAtPlace(const TriangleMesh::Vertices& vertices) {
-  std::vector<int> order(static_cast<size_t>(vertices.rows()));
-  std::iota(order.begin(), order.end(), 0);
-  const auto place = [&](int i) { return std::array<double, 3>{vertices(i, 0), vertices(i, 1), vertices(i, 2)}; };
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    const auto p = place(a), q = place(b);
-    return p != q ? p < q : a < b;
-  });
-  std::vector<int> first(order.size());
-  for (size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && place(order[i]) == place(order[i - 1]) ? first[order[i - 1]] : order[i];
-  return first;
-}
 
 Eigen::Vector3d areaVector(const TriangleMesh& mesh, const Eigen::Vector3i& t) {
   const Eigen::Vector3d a = mesh.vertices.row(t[0]), b = mesh.vertices.row(t[1]), c = mesh.vertices.row(t[2]);
@@ -138,25 +124,15 @@ TriangleMesh withParts(const TriangleMesh& mesh, const MeshParts& parts, const s
 }
 
 int boundaryLoops(const TriangleMesh& mesh) {
-  std::vector<std::array<int, 2>> edges;
-  edges.reserve(3 * static_cast<size_t>(mesh.triangles.rows()));
-  for (int t = 0; t < mesh.triangles.rows(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const int a = mesh.triangles(t, i), b = mesh.triangles(t, (i + 1) % 3);
-      edges.push_back({std::min(a, b), std::max(a, b)});
-    }
-  std::sort(edges.begin(), edges.end());
+  const EdgeRings rings(mesh);
   JoinedSets sets(static_cast<size_t>(mesh.vertices.rows()));
   std::vector<int> ends;
-  for (size_t i = 0; i < edges.size();) {
-    size_t next = i + 1;
-    while (next < edges.size() && edges[next] == edges[i]) ++next;
-    if (next == i + 1) {
-      sets.join(edges[i][0], edges[i][1]);
-      ends.push_back(edges[i][0]);
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      if (!rings.isRim(3 * t + i)) continue;
+      ends.push_back(rings.first(mesh.triangles(t, i)));
+      sets.join(ends.back(), rings.first(mesh.triangles(t, (i + 1) % 3)));
     }
-    i = next;
-  }
   for (int& end : ends) end = sets.find(end);
   std::sort(ends.begin(), ends.end());
   return static_cast<int>(std::unique(ends.begin(), ends.end()) - ends.begin());

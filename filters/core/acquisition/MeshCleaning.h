@@ -35,7 +35,7 @@ TriangleMesh withParts(const TriangleMesh& mesh, const MeshParts& parts, const s
 /// Only these triangles, which refer to the vertices, and the vertices they use, in their old order.
 TriangleMesh withTriangles(const TriangleMesh::Vertices& vertices, const std::vector<Eigen::Vector3i>& triangles);
 
-/// Closed lines of edges that one triangle alone has: holes, and the rim of an open scan.
+/// Closed lines of edges that one triangle alone has (EdgeRings): holes, and the rim of an open scan.
 int boundaryLoops(const TriangleMesh& mesh);
 
 /// Volume between the triangles and the mean of the vertices, mm3: negative where they are wound inwards. An opening, as

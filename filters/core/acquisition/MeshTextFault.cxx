@@ -104,29 +104,74 @@ class ObjCheck {
 /// Of the polygons of .ply and .off.
 std::string describePolygons(PolygonFile& file) {
   LostFaces lost;
+  const auto countOf = [](std::int64_t i, std::int64_t count) {
+    return std::to_string(i + 1) + " of " + std::to_string(count);
+  };
   for (std::int64_t i = 0; i < file.vertexCount(); ++i) {
     double place[3];
-    if (!file.readVertex(place)) return {};
+    if (!file.readVertex(place))
+      return file.lineHere() + "vertex " + countOf(i, file.vertexCount()) + " is not there, or is not made of numbers" +
+             exportAgain;
     for (const double number : place)
       if (!(number - number == 0.0)) return describeVertex(file.place("vertex", i));
   }
   std::vector<std::int64_t> corners;
-  for (std::int64_t i = 0; i < file.faceCount() && file.readFace(corners); ++i)
+  for (std::int64_t i = 0; i < file.faceCount(); ++i) {
+    if (!file.readFace(corners))
+      return file.lineHere() + "face " + countOf(i, file.faceCount()) + " is not there, or is no list of corners" +
+             exportAgain;
     for (const std::int64_t corner : corners)
       if (corner < 0 || corner >= file.vertexCount()) {
         lost.note(file.place("face", i), corner);
         break;
       }
+  }
   return lost.describe(file.vertexCount());
+}
+
+/// "vertex x y z", three of them in each "outer loop" .. "endloop", "endsolid" at the end.
+class StlCheck {
+ public:
+  std::string describe(std::string_view text) {
+    std::string fault;
+    std::int64_t last = 1;
+    forLines(text, [&](std::int64_t line, const std::vector<std::string_view>& words) {
+      last = line;
+      if (!words.empty()) fault = check(words);
+      return fault.empty();
+    });
+    if (fault.empty() && !ended_) fault = "the file ends without endsolid";
+    return fault.empty() ? fault : lineNumber(last) + ": " + fault + exportAgain;
+  }
+
+ private:
+  std::string check(const std::vector<std::string_view>& words) {
+    ended_ = words[0] == "endsolid";
+    if (words[0] == "vertex" && !areNumbers(words, 1)) return "a vertex that is not a finite number";
+    if (words[0] == "outer") corners_ = 0;
+    if (words[0] == "vertex") ++corners_;
+    if (words[0] == "endloop" && corners_ != 3) return "a facet of " + std::to_string(corners_) + " corners";
+    return {};
+  }
+
+  int corners_ = 0;
+  bool ended_ = false;
+};
+
+bool isTextStl(std::string_view text) {
+  return text.substr(0, 5) == "solid" && text.find("facet") != std::string_view::npos &&
+         text.find('\0') == std::string_view::npos;
 }
 
 }  // namespace
 
 std::string describeMeshTextFault(std::string_view text, const std::string& ending) {
   if (ending == ".obj") return ObjCheck().describe(text);
+  if (ending == ".stl") return isTextStl(text) ? StlCheck().describe(text) : std::string();
+  if (ending != ".ply" && ending != ".off") return {};
   PolygonFile file;
-  const bool known = ending == ".ply" ? file.openPly(text) : ending == ".off" && file.openOff(text);
-  return known ? describePolygons(file) : std::string();
+  if (ending == ".ply" ? file.openPly(text) : file.openOff(text)) return describePolygons(file);
+  return "the header does not say how many vertices there are, or of what they are made" + std::string(exportAgain);
 }
 
 }  // namespace mien

@@ -87,19 +87,29 @@ bool PolygonFile::openPly(std::string_view text) {
   return vertices_ > 0;
 }
 
-/// Text alone: "OFF", perhaps with letters before it for what else a vertex has, which then is not followed.
+/// "OFF" as text, with the letters ST, C and N before it for what else stands in the line of a vertex, or as binary, in
+/// little endian numbers and without more than places and corners.
 bool PolygonFile::openOff(std::string_view text) {
   text_ = text;
-  const std::size_t end = text.find('\n');
-  if (text.substr(0, 3) != "OFF" || text.substr(0, end).find("BINARY") != std::string_view::npos) return false;
-  at_ = 3;
+  const std::string_view first = text.substr(0, text.find('\n'));
+  for (const char* more : {"ST", "C", "N"})
+    if (text.substr(at_, std::strlen(more)) == more) at_ += std::strlen(more);
+  restOfLine_ = at_ > 0;
+  if (text.substr(at_, 3) != "OFF") return false;
+  at_ += 3;
+  const bool isBinary = first.find("BINARY") != std::string_view::npos;
+  if (isBinary && (restOfLine_ || first.size() == text.size())) return false;
+  if (isBinary) {
+    encoding_ = Encoding::LittleEndian;
+    at_ = first.size() + 1;
+  }
+  const Type real{isBinary ? 4 : 8, true, true}, whole{4, !isBinary, false};
   double counts[3];
   for (double& count : counts)
-    if (!nextWord(count) || !(count >= 0.0 && count < 1e15)) return false;
+    if (!next(whole, count) || !(count >= 0.0 && count < 1e15)) return false;
   vertices_ = static_cast<std::int64_t>(counts[0]);
   faces_ = static_cast<std::int64_t>(counts[1]);
-  const Type number{8, true, true}, whole{4, true, false};
-  elements_ = {{"vertex", vertices_, {{"x", number, {}, false}, {"y", number, {}, false}, {"z", number, {}, false}}},
+  elements_ = {{"vertex", vertices_, {{"x", real, {}, false}, {"y", real, {}, false}, {"z", real, {}, false}}},
                {"face", faces_, {{"vertex_indices", whole, whole, true}}}};
   return vertices_ > 0;
 }
@@ -163,8 +173,8 @@ bool PolygonFile::readRow(const Element& element, double (*place)[3], std::vecto
   }
   ++rowsRead_;
   // What else an .off file says of a face, such as its colour, stands in the rest of the line.
-  if (encoding_ == Encoding::Text && element.properties.back().name == "vertex_indices")
-    at_ = std::min(text_.find('\n', at_), text_.size());
+  const bool isFace = element.properties.back().name == "vertex_indices";
+  if (encoding_ == Encoding::Text && (isFace || restOfLine_)) at_ = std::min(text_.find('\n', at_), text_.size());
   return true;
 }
 
@@ -187,6 +197,10 @@ bool PolygonFile::readVertex(double (&place)[3]) {
 bool PolygonFile::readFace(std::vector<std::int64_t>& corners) {
   corners.clear();
   return skipTo("face") && rowsRead_ < faces_ && readRow(elements_[element_], nullptr, &corners);
+}
+
+std::string PolygonFile::lineHere() const {
+  return encoding_ == Encoding::Text ? "line " + std::to_string(line_) + ": " : std::string();
 }
 
 std::string PolygonFile::place(const std::string& what, std::int64_t number) const {

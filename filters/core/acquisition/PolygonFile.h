@@ -7,8 +7,8 @@
 
 namespace mien {
 
-/// Walks through the vertices and faces of a .ply (text or binary) or text .off file, one after the other, without
-/// building a mesh. The text must outlive it. What cannot be followed ends the walk; it is for a reader to refuse.
+/// Walks through the vertices and faces of a .ply or .off file (text or binary), one after the other, without
+/// building a mesh. The text must outlive it. What cannot be followed ends the walk.
 class PolygonFile {
  public:
   bool openPly(std::string_view text);
@@ -23,6 +23,9 @@ class PolygonFile {
 
   /// "line 12" of what was read last, "vertex 7" in a binary file.
   std::string place(const std::string& what, std::int64_t number) const;
+
+  /// "line 12: " of what could not be read, nothing in a binary file.
+  std::string lineHere() const;
 
  private:
   enum class Encoding { Text, LittleEndian, BigEndian };
@@ -55,6 +58,7 @@ class PolygonFile {
   std::size_t at_ = 0;
   std::int64_t line_ = 1, rowLine_ = 1, vertices_ = 0, faces_ = 0, rowsRead_ = 0;
   Encoding encoding_ = Encoding::Text;
+  bool restOfLine_ = false;  ///< behind the place of a vertex stands more that is passed over
   std::vector<Element> elements_;
   std::size_t element_ = 0;
 };

@@ -7,7 +7,6 @@
 #include "FaceAcquisition.h"
 #include "FaceRegistration.h"
 #include "HeadFit.h"
-#include "LengthUnit.h"
 #include "NumberText.h"
 #include "RadialSkin.h"
 #include "TriangleDistance.h"
@@ -58,6 +57,18 @@ TriangleMesh skinOf(const TriangleMesh& mesh, const MeshParts& parts) {
   return withParts(mesh, parts, wanted);
 }
 
+double boxDiagonal(const TriangleMesh& mesh) {
+  return (mesh.vertices.colwise().maxCoeff() - mesh.vertices.colwise().minCoeff()).norm();
+}
+
+std::vector<LengthUnit> unitsOfSize(double size) {
+  return unitsThatFit(size, smallestScan, largestScan);
+}
+
+std::string describeSize(double size) {
+  return "the scan measures " + roundedText(size) + " from corner to corner, which no head does in mm, cm, m or inches";
+}
+
 /// One way to lay the reference over the scan.
 struct Trial {
   LengthUnit unit;
@@ -74,12 +85,10 @@ class FaceSearch {
       : reference_(reference), skin_(skin), settings_(settings) {}
 
   std::string find(Trial& best, const Progress& progress) {
-    const double size = (skin_.vertices.colwise().maxCoeff() - skin_.vertices.colwise().minCoeff()).norm();
-    std::vector<LengthUnit> units = unitsThatFit(size, smallestScan, largestScan);
+    const double size = boxDiagonal(skin_);
+    std::vector<LengthUnit> units = unitsOfSize(size);
     if (settings_.millimetres > 0.0) units = {{"", "", settings_.millimetres}};
-    if (units.empty())
-      return "the scan measures " + roundedText(size) +
-             " from corner to corner, which no head does in mm, cm, m or inches" + askForUnit(0.0);
+    if (units.empty()) return describeSize(size) + askForUnit(0.0);
     for (size_t i = 0; i < units.size(); ++i) {
       const double n = static_cast<double>(units.size());
       Trial trial{units[i], {}};
@@ -230,7 +239,8 @@ class Acquisition {
   }
 
   std::string measure() {
-    const std::string fault = acquireFace(result_.mesh, result_.landmarks, settings_.pointsPerCurve, result_.face);
+    const std::string fault =
+        acquireFace(result_.mesh, result_.landmarks, settings_.pointsPerCurve, result_.face, settings_.nostrils);
     if (fault.empty() || report_.droppedParts == 0) return fault;
     return fault + " (" + std::to_string(report_.droppedParts) +
            " loose parts of the scan were left out; --all-parts keeps them)";
@@ -281,6 +291,18 @@ class Acquisition {
 };
 
 }  // namespace
+
+std::string recogniseScanUnit(const CleanMesh& scan, const FaceTemplate& reference, std::vector<LengthUnit>& fitting,
+                              const Progress& progress) {
+  const TriangleMesh skin = skinOf(scan.mesh, partsOf(scan.mesh));
+  fitting = unitsOfSize(boxDiagonal(skin));
+  if (fitting.empty()) return describeSize(boxDiagonal(skin));
+  if (fitting.size() == 1) return {};
+  Trial best;
+  const std::string fault = FaceSearch(reference, skin, ScanSettings()).find(best, progress);
+  if (fault.empty()) fitting = {best.unit};
+  return fault;
+}
 
 std::string acquireScan(const CleanMesh& scan, const LandmarkTable::Given& given, const FaceLandmarks& landmarks,
                         const FaceTemplate& reference, const ScanSettings& settings, AcquiredScan& acquired,

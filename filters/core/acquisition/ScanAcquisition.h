@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "FaceCurves.h"
 #include "FaceTemplate.h"
 #include "LandmarkTable.h"
+#include "LengthUnit.h"
 #include "MeshCleaning.h"
 #include "Progress.h"
 #include "Similarity.h"
@@ -22,6 +24,7 @@ struct ScanSettings {
   double millimetres = 0.0;  ///< of the scan's unit; 0: recognised
   Pose pose = Pose::Automatic;
   bool allParts = false;          ///< whether parts other than skin and eyeballs count
+  bool nostrils = false;          ///< whether curves go into nostrils (acquireFace)
   bool compareLandmarks = false;  ///< whether given landmarks are compared with fitted ones
   int pointsPerCurve = 40;        ///< even, 8 or more
 };
@@ -55,6 +58,12 @@ struct AcquiredScan {
   FaceLandmarks landmarks;
   ScanReport report;
 };
+
+/// The unit of a scan of which no landmarks are known, as acquireScan recognises it: that in which its largest part is
+/// as large as a head may be, and of several the one in which the reference face fits best.
+/// @return nothing, or one sentence that says why it cannot be told; `fitting` are then those that the size allows
+std::string recogniseScanUnit(const CleanMesh& scan, const FaceTemplate& reference, std::vector<LengthUnit>& fitting,
+                              const Progress& progress = {});
 
 /// Measures a scan in any unit and pose: recognises the unit, places the landmarks that are not given, brings the head
 /// into the frame of the reference face and measures the curves (acquireFace).
