@@ -4,6 +4,7 @@
 #include <QTabBar>
 #include <QTemporaryDir>
 
+#include "SessionDocument.h"
 #include "StudioFixture.h"
 #include "Workspaces.h"
 
@@ -92,6 +93,20 @@ TEST_F(Workspaces, AllComeBackAtTheNextStart) {
   EXPECT_TRUE(isHidden("smoothingDock"));
   EXPECT_FALSE(isHidden("spectrumDock"));
   QCoreApplication::setOrganizationName(QString());
+}
+
+TEST_F(Workspaces, ASessionKnowsWhichOneItWasMadeIn) {
+  QTemporaryDir folder;
+  const QString file = folder.filePath("deform.mien-session.json");
+  choose(3);
+  dock("vectorsDock")->close();
+  const QStringList own = shown();
+  ASSERT_TRUE(window->document().save(file));
+  choose(1);
+  ASSERT_TRUE(window->document().open(file));
+  settle();
+  EXPECT_EQ(find<QTabBar>("workspaces")->currentIndex(), 2);
+  EXPECT_EQ(shown(), own);
 }
 
 }  // namespace
