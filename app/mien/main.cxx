@@ -40,6 +40,7 @@ void addCommands(CLI::App& program) {
   mien::addFatCommand(program);
   mien::addFdtCommand(program);
   mien::addFigureCommand(program);
+  mien::addReferenceCommand(program);
 }
 
 /// No command may write over what it reads: a mistyped -o would cost a recording.
@@ -56,7 +57,7 @@ std::string unknownCommand(const CLI::App& program, int argc, char** argv, int a
   std::string names;
   for (const CLI::App* command : program.get_subcommands(nullptr)) {
     if (command->get_name() == argv[at]) return unknownCommand(*command, argc, argv, at + 1);
-    names += (names.empty() ? "" : ", ") + command->get_name();
+    if (!command->get_group().empty()) names += (names.empty() ? "" : ", ") + command->get_name();
   }
   return "there is no command '" + (at > 1 ? program.get_name() + " " : "") + argv[at] + "'; the commands are " + names;
 }

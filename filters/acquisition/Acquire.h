@@ -13,6 +13,7 @@ class vtkPolyData;
 /// What `mien acquire` does.
 namespace mien {
 
+/// What is measured, and where the results go.
 struct AcquireOptions {
   std::vector<std::string> scans;  ///< .ply, .obj, .stl, .off; one, or several with `mean`
   std::string landmarkFile;    ///< CSV, see LandmarkTable.h; serves all scans; empty: landmarks are found by fitting
@@ -23,11 +24,12 @@ struct AcquireOptions {
   bool mean = false;           ///< the symmetric mean of all scans instead of one scan as it is
   bool report = false;         ///< whether distances are measured and landmarks compared
   int triangles = 0;           ///< decimation before measuring; 0: none
-  ScanSettings scan;
+  ScanSettings scan;           ///< how each scan is measured
 };
 
+/// What was found on one scan.
 struct AcquireResult {
-  std::string scan;
+  std::string scan;  ///< its file
   ScanReport report;
   int crossings = 0;           ///< of curves, between samples too
   std::string crossingCurves;  ///< which (namedCrossings)

@@ -21,6 +21,7 @@ class QuietOpenMesh {
   QuietOpenMesh& operator=(const QuietOpenMesh&) = delete;
 };
 
+/// The scan's vertices and triangles, in their order.
 TriangleMesh toTriangleMesh(const ScanMesh& scan);
 
 /// Triangles that no surface can have, such as a third one at an edge, are left out.

@@ -34,6 +34,7 @@ class MIENACQUISITION_EXPORT vtkBoundaryCurveAcquisitionFilter : public vtkPolyD
   vtkTypeMacro(vtkBoundaryCurveAcquisitionFilter, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// Whether a scan is moved onto the generic face.
   enum Poses {
     AUTOMATIC = 0,  ///< upright heads stay where they are, others are moved onto the generic face
     KEPT = 1,

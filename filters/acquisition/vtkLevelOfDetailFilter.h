@@ -37,6 +37,7 @@ class MIENACQUISITION_EXPORT vtkLevelOfDetailFilter : public vtkPDEFaceAlgorithm
   vtkTypeMacro(vtkLevelOfDetailFilter, vtkPDEFaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// The table of levels, a row for each.
   vtkTable* GetOutput();
 
   ///@{

@@ -14,6 +14,7 @@ struct FAPSequence;
 /// A .fap stream that is still being written, such as standard input. Not for two threads at once.
 class MIENANIMATION_EXPORT FAPLiveInput {
  public:
+  /// Open: more may come; Ended: the last frame has come; Failed: it cannot be read, or is no .fap.
   enum class State { Open, Ended, Failed };
 
   /// @param descriptor an open file to read; it stays open

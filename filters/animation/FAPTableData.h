@@ -30,6 +30,6 @@ MIENANIMATION_EXPORT void writeFAPFrame(const FAPFrame& frame, vtkTable* table);
 
 /// Which loading of a file the frame comes from; 0 when the table does not say.
 int readLoadNumber(vtkTable* table);
-void writeLoadNumber(int number, vtkTable* table);
+void writeLoadNumber(int number, vtkTable* table);  ///< as the field array `AnimationLoad`
 
 }  // namespace mien

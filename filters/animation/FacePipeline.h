@@ -13,6 +13,8 @@ class vtkFAPReader;
 class vtkPDEFaceFilter;
 class vtkStructuredGrid;
 
+namespace mien {
+
 /// The VTK pipeline that shows a FaceState, for every program:
 ///   vtkBoundaryCurveReader --> vtkCurveEditFilter --> vtkFAPAnimationFilter --> vtkPDEFaceFilter -->
 ///     (vtkFDTDeformationFilter) --> vtkGeometryFilter; the animated curves --> (vtkFDTCurveFilter) to be looked at
@@ -20,8 +22,6 @@ class vtkStructuredGrid;
 ///
 /// Setting a state touches only the filters whose properties differ, so that the next update does no more than it must.
 /// Errors are kept, not printed: update() returns them.
-namespace mien {
-
 class MIENANIMATION_EXPORT FacePipeline {
  public:
   FacePipeline();

@@ -28,7 +28,7 @@ class MIENDEFORMATION_EXPORT vtkFDTFitFilter : public vtkPupilAlgorithm {
   static vtkFDTFitFilter* New();
   vtkTypeMacro(vtkFDTFitFilter, vtkPupilAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-  vtkTable* GetOutput();
+  vtkTable* GetOutput();  ///< the fitted table
 
   ///@{
   /** The expression (port 1). */

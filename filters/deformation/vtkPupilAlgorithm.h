@@ -64,6 +64,7 @@ class MIENDEFORMATION_EXPORT vtkPupilAlgorithm : public vtkPointSetAlgorithm {
   vtkPupilAlgorithm() = default;
   int ComputeInputUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /// The properties above as the mathematics takes them.
   mien::FaceFrameOptions GetFrameOptions() const;
 
   /// Reports the part `from` .. `to` of an update's progress, and stops when the update is aborted.

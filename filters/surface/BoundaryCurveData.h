@@ -29,7 +29,7 @@ MIENSURFACE_EXPORT std::string readFaceCurves(vtkPolyData* data, FaceCurves& fac
 /// The rotation that animation gave the head; nothing changes without the array.
 /// @return nothing, or one sentence that says what is wrong
 MIENSURFACE_EXPORT std::string readHeadRotation(vtkFieldData* fields, HeadRotation& turned);
-MIENSURFACE_EXPORT void writeHeadRotation(const HeadRotation& turned, vtkFieldData* fields);
+MIENSURFACE_EXPORT void writeHeadRotation(const HeadRotation& turned, vtkFieldData* fields);  ///< as read
 
 /// Writes closed polylines without any arrays.
 MIENSURFACE_EXPORT void writeClosedCurves(const ClosedCurves& curves, vtkPolyData* data);

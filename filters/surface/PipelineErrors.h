@@ -8,12 +8,12 @@
 class vtkAlgorithm;
 class vtkCommand;
 
+namespace mien {
+
 /// What the filters of a pipeline report, kept instead of printed to the console.
 ///
 /// An observed filter is silent; its own message comes without the class and line of source that VTK puts before it.
 /// May be destroyed before the filters.
-namespace mien {
-
 class MIENSURFACE_EXPORT PipelineErrors {
  public:
   PipelineErrors();
@@ -21,7 +21,7 @@ class MIENSURFACE_EXPORT PipelineErrors {
   PipelineErrors(const PipelineErrors&) = delete;
   PipelineErrors& operator=(const PipelineErrors&) = delete;
 
-  void observe(vtkAlgorithm* algorithm);
+  void observe(vtkAlgorithm* algorithm);  ///< from now on, beside those observed before
 
   /// What hears the events, for objects within a filter that take an observer of their own.
   vtkCommand* observer() const;
@@ -32,7 +32,7 @@ class MIENSURFACE_EXPORT PipelineErrors {
   /// All warnings since the last clear().
   std::vector<std::string> warnings() const;
 
-  void clear();
+  void clear();  ///< forgets errors and warnings
 
  private:
   class Keeper;

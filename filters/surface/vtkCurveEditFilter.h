@@ -41,7 +41,7 @@ class MIENSURFACE_EXPORT vtkCurveEditFilter : public vtkPolyDataAlgorithm {
   void AddEdit(const std::string& curve, double v, double dx, double dy, double dz, double widthDegrees, int spread,
                bool mirrored);
 
-  void RemoveAllEdits();
+  void RemoveAllEdits();  ///< the curves pass as they come
 
  protected:
   vtkCurveEditFilter();

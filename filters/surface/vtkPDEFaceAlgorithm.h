@@ -29,9 +29,11 @@ class MIENSURFACE_EXPORT vtkPDEFaceAlgorithm : public vtkAlgorithm {
   /** The curves as data; SetInputConnection() takes them from a pipeline. */
   void SetInputData(vtkDataObject* curves) { this->SetInputDataInternal(0, curves); }
 
+  ///@{
   /** Takes all the parameters below from another filter, or from a face as the mathematics describes it. */
   void CopyParameters(vtkPDEFaceAlgorithm* other);
   void SetParameters(const mien::FaceSurfaceOptions& options);
+  ///@}
 
   ///@{
   /** How patches meet their curves: "spline" (default), "four-curve" (the paper's), "derivative", "sixth-order",
@@ -78,6 +80,7 @@ class MIENSURFACE_EXPORT vtkPDEFaceAlgorithm : public vtkAlgorithm {
   virtual int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*);
   virtual int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) = 0;
 
+  /// The parameters as the mathematics takes them.
   const mien::FaceSurfaceOptions& GetOptions() const { return *this->Options; }
 
   /// The curves on input port 0, whatever the parameters are; false, after an error, when they are unusable.

@@ -31,7 +31,7 @@ class MIENSURFACE_EXPORT vtkPDEInfluenceFilter : public vtkPDEFaceFilter {
   vtkTypeMacro(vtkPDEInfluenceFilter, vtkPDEFaceFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  vtkTable* GetProfile();
+  vtkTable* GetProfile();  ///< output port 1
 
   ///@{
   /** The curve that moves: "C1" .. "C22", "C22'", "C23" .. "C28". Default "C10". */

@@ -45,7 +45,7 @@ class MIENSURFACE_EXPORT vtkPDEParameterSweep : public vtkPDEFaceAlgorithm {
   vtkTypeMacro(vtkPDEParameterSweep, vtkPDEFaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  vtkTable* GetOutput();
+  vtkTable* GetOutput();  ///< a row per scheme and a
 
   ///@{
   /** The mesh to measure distances to (port 1). Default: none. */

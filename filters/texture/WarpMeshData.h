@@ -17,6 +17,7 @@ namespace mien {
 /// @return nothing, or one sentence that says what is wrong; whether the mesh is folded is not looked at
 MIENTEXTURE_EXPORT std::string readWarpMesh(vtkStructuredGrid* data, WarpMesh& mesh);
 
+/// Makes the grid hold this mesh, as described above.
 MIENTEXTURE_EXPORT void writeWarpMesh(const WarpMesh& mesh, vtkStructuredGrid* data);
 
 }  // namespace mien

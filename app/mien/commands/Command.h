@@ -29,5 +29,6 @@ void addLodCommand(CLI::App& program);
 void addFatCommand(CLI::App& program);
 void addFdtCommand(CLI::App& program);
 void addFigureCommand(CLI::App& program);
+void addReferenceCommand(CLI::App& program);
 
 }  // namespace mien

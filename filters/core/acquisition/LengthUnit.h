@@ -12,6 +12,7 @@ struct LengthUnit {
   double millimetres;    ///< of one
 };
 
+/// mm, cm, m and inch.
 const std::vector<LengthUnit>& lengthUnits();
 
 /// By name ("in" is understood as inch), or nullptr.

@@ -17,6 +17,7 @@ struct PictureSettings {
   bool upright = true;                ///< whether a head tilted in the picture is set upright
 };
 
+/// What the fit found in the picture, and how well it came out.
 struct PictureReport {
   bool yDown = false;
   double millimetres = 1.0;  ///< of one pixel

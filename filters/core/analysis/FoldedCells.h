@@ -15,6 +15,7 @@ class FoldedCells {
  public:
   static constexpr double frontalZ = 50.0;  ///< mm; only cells whose middle lies beyond are counted
 
+  /// One folded cell.
   struct Cell {
     int patch, row, column;  ///< row of the sample above the cell
     Eigen::Vector3d middle;  ///< mm

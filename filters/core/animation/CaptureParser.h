@@ -9,6 +9,7 @@
 
 namespace mien {
 
+/// What the columns of a capture table are.
 enum class CaptureKind { ActionUnits, Blendshapes };
 
 /// Reads facial capture as a table with a header (CommaReader.h) and gives it as FAPs:

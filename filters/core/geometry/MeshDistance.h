@@ -12,6 +12,7 @@ class MeshDistance {
  public:
   explicit MeshDistance(const TriangleMesh& mesh);
 
+  /// The answer to one query.
   struct Nearest {
     double distance = 0.0;  ///< mm, never negative
     Eigen::Vector3d point = Eigen::Vector3d::Zero();

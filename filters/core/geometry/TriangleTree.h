@@ -16,6 +16,7 @@ class TriangleTree {
   /// Keeps a copy of the corners, which must be finite; triangles without area count as the lines they are.
   explicit TriangleTree(const TriangleMesh& mesh);
 
+  /// The answer to one query.
   struct Nearest {
     int triangle = -1;  ///< -1 where there are none
     Eigen::Vector3d point = Eigen::Vector3d::Zero();

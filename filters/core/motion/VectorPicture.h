@@ -50,6 +50,7 @@ constexpr double leastMotion = 1e-4;
 /// Distance in print between arrows of automatic sampling, mm.
 constexpr double printedSpacing = 2.4;
 
+/// Projects, samples and scales a motion field for a picture.
 VectorPicture drawnVectors(const MotionField& field, const VectorPictureOptions& options);
 
 }  // namespace mien

@@ -9,7 +9,7 @@ namespace mien {
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `number`, or the smallest that is not below it.
 double roundBelow(double number);
-double roundAbove(double number);
+double roundAbove(double number);  ///< as roundBelow(), from above
 
 /// Motion per length of arrow (mm per mm): the smallest of 1, 1.2, 1.5, 2, 2.5, 3, 4 .. 9 times a power of ten that
 /// draws `longest` (mm of motion) no longer than `room` (mm of arrow). 1 without motion.

@@ -7,7 +7,7 @@ namespace mien {
 /// Told how much of a long computation is done (0 .. 1); answers whether to go on. May be empty.
 using Progress = std::function<bool(double)>;
 
-inline bool goesOn(const Progress& progress, double done) {
+inline bool goesOn(const Progress& progress, double done) {  ///< tells it, if anybody wants to know
   return !progress || progress(done);
 }
 

@@ -16,13 +16,13 @@ namespace mien {
 /// - `animation`: `file`, one of `frame`, `index`, `time` (s), and `interpolate`; left out without a file;
 /// - `fap_values`: FAP number to FAP units;
 /// - `animation_table`: file name, left out for the table compiled in;
-/// - `expressions`: name to intensity (0 .. 1); left out without one;
+/// - `expressions`, `visemes`: name to intensity (0 .. 1); each left out without one;
 /// - `deformation`: `table` (name or file), `strength`, `smooth`; left out without a table;
 /// - `texture`: `image` (file name) and `mesh` (file name, left out for the one beside the image); left out without an
 /// image. Numbers are written so that they read back to the bit. A member left out has its default.
 constexpr int faceStateVersion = 2;
 
-std::string writeFaceState(const FaceState& state);
+std::string writeFaceState(const FaceState& state);  ///< as described above
 
 /// @return nothing, or one sentence that names the member at fault; the state is then as it was. A member that this
 /// version does not know is a fault, because to drop it would show another face.

@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 /// A key that nobody reads is most likely misspelt, and its effect missing.
 void refuseUnknownKeys(const Json& json, std::initializer_list<const char*> known);
 
-bool isKnownVersion(const Json& version, int newest);
+bool isKnownVersion(const Json& version, int newest);  ///< a whole number from 1 to the newest
 
 /// The sentence of a fault that the JSON library found, without its number.
 std::string plainText(const Json::exception& error);
