@@ -13,9 +13,11 @@
 
 #include "AboutDialog.h"
 #include "Citations.h"
+#include "History.h"
 #include "LibraryVersions.h"
 #include "ManualPage.h"
 #include "ManualWindow.h"
+#include "SessionDocument.h"
 #include "ShortcutList.h"
 #include "StudioFixture.h"
 #include "Tour.h"
@@ -172,6 +174,16 @@ TEST_F(HelpMenu, TheTourComesOnceForAUserAndNeverToATest) {
   settle();
   EXPECT_FALSE(shownTour());
   QCoreApplication::setOrganizationName(QString());
+}
+
+TEST_F(HelpMenu, TheTourIsNoChange) {
+  drawViews();
+  mien::Tour::begin(*window);
+  QTest::mouseClick(shownTour(), Qt::LeftButton);
+  QTest::qWait(500);
+  window->history().record();
+  EXPECT_EQ(window->history().count(), 0) << window->history().undoText().toStdString();
+  EXPECT_FALSE(window->document().isModified());
 }
 
 }  // namespace
