@@ -8,7 +8,6 @@
 #include <QLabel>
 #include <QSettings>
 #include <QTemporaryDir>
-#include <cmath>
 
 #include "ExportDialog.h"
 #include "Exporter.h"
@@ -29,6 +28,14 @@ class ExportDialog : public StudioFixture {
     QFile file(name);
     EXPECT_TRUE(file.open(QIODevice::ReadOnly));
     return file.readAll().trimmed().split('\n');
+  }
+
+  /// The share of a page that is drawn on.
+  static double ink(const QImage& picture) {
+    double sum = 0.0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) sum += 255 - qGray(picture.pixel(x, y));
+    return sum / (255.0 * picture.width() * picture.height());
   }
 
   QTemporaryDir folder;
@@ -69,15 +76,7 @@ TEST_F(ExportDialog, ResolutionChangesNothingButTheNumberOfPixels) {
     pictures.emplace_back(path("curves.png"));
   }
   EXPECT_NEAR(pictures[1].width(), 2.0 * pictures[0].width(), 2);
-  const QSize small(100, 100 * pictures[0].height() / pictures[0].width());
-  for (QImage& picture : pictures)
-    picture =
-        picture.scaled(small, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB888);
-  double sum = 0.0;
-  for (int y = 0; y < small.height(); ++y)
-    for (int i = 0; i < 3 * small.width(); ++i)
-      sum += std::abs(pictures[0].constScanLine(y)[i] - pictures[1].constScanLine(y)[i]);
-  EXPECT_LT(sum / (3.0 * small.width() * small.height()), 3.0) << "of 255";
+  EXPECT_NEAR(ink(pictures[1]) / ink(pictures[0]), 1.0, 0.05) << "lines of the same pixels would have half of it";
 }
 
 TEST_F(ExportDialog, TheViewIsAsBeforeAfterwards) {
@@ -94,11 +93,15 @@ TEST_F(ExportDialog, TheViewIsAsBeforeAfterwards) {
 
 TEST_F(ExportDialog, WhatColoursMeanStandsBelowTheFace) {
   mien::ExportOptions options;
-  const QSizeF plain = face()->drawing(options).size;
+  const auto below = [&] {  // the picture of the view
+    const QSizeF size = face()->drawing(options).size;
+    const QSize view = find<mien::FaceView>("faceView")->size();
+    return size.height() - size.width() * view.height() / view.width();
+  };
+  EXPECT_NEAR(below(), 0.0, 1e-6);
   find<QComboBox>("colorBy")->setCurrentText("Patches");
   settle();
-  const QSizeF keyed = face()->drawing(options).size;
-  EXPECT_GT(keyed.height(), plain.height() * 1.02);
+  EXPECT_GT(below(), 4.0 * mien::figureUnitsPerMillimetre);
   ASSERT_TRUE(face()->write(path("face.svg"), options));
   const QByteArray text = lines(path("face.svg")).join('\n');
   EXPECT_TRUE(text.contains(">P8<")) << "as text, not as a picture of it";

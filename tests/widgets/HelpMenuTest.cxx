@@ -66,6 +66,11 @@ TEST_F(HelpMenu, TheManualOpensAtTheDockThatHasTheFocus) {
     EXPECT_EQ(manual->section().toStdString(), section);
   }
   EXPECT_EQ(manual->sectionOf(nullptr), "start");
+  QApplication::setActiveWindow(window.get());
+  find<QWidget>("surfaceModes")->setFocus();
+  ASSERT_TRUE(waitUntil([this] { return find<QWidget>("surfaceModes")->hasFocus(); }));
+  find<QAction>("actionManual")->trigger();
+  EXPECT_EQ(manual->section(), "surfaceDock");
 }
 
 TEST_F(HelpMenu, TheManualIsSearched) {

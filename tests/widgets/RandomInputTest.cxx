@@ -19,14 +19,18 @@
 namespace {
 
 constexpr int actions = 2000;
-constexpr unsigned seed = 20110829;
 constexpr int mostPoints = 20000;  // of the mesh: a user who waits is not what is tried
+
+/// Of MIEN_RANDOM_SEED, for other walks than the usual one.
+unsigned seed() {
+  return qEnvironmentVariableIsSet("MIEN_RANDOM_SEED") ? qEnvironmentVariableIntValue("MIEN_RANDOM_SEED") : 20110829;
+}
 
 /// Clicks, drags, wheels and types at random over a whole window, as a cat on the keyboard and a child with the mouse.
 /// Files are never chosen: whatever dialog asks for one is closed.
 class Monkey {
  public:
-  explicit Monkey(mien::StudioWindow& window) : window_(window), random_(seed) {
+  explicit Monkey(mien::StudioWindow& window) : window_(window), random_(seed()) {
     QObject::connect(&watcher_, &QTimer::timeout, [] {
       if (QWidget* popup = QApplication::activePopupWidget())
         popup->close();

@@ -14,7 +14,7 @@ namespace mien {
 namespace {
 
 constexpr double usualWidth = 85.0;             // mm, one column of a page
-constexpr double keyPixelsPerMillimetre = 4.2;  // letters of about 7 pt
+constexpr double keyPixelsPerMillimetre = 4.8;  // letters of about 6 pt
 
 /// The colours of the screen on the page of the figure.
 Theme themeOf(const ExportOptions& options) {

@@ -93,6 +93,7 @@ QPalette palette(const Theme& theme) {
 /// Names in @ stand for colours of the theme.
 const char* const styleText = R"(
 QMainWindow, QDialog { background: @window; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QMainWindow::separator { background: @window; width: 6px; height: 6px; }
 QToolTip { color: @text; background: @panel; border: 1px solid @line; padding: 4px; }
 QMenuBar { background: @window; }
