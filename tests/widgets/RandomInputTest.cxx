@@ -14,6 +14,7 @@
 #include <random>
 
 #include "FaceModel.h"
+#include "History.h"
 #include "StudioFixture.h"
 
 namespace {
@@ -148,6 +149,8 @@ TEST_F(RandomInput, TwoThousandClicksAndKeysLeaveAWindowThatWorks) {
     if (!window->isVisible()) window->show();  // it was closed
   }
   ASSERT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }));
+  window->history().record();
+  EXPECT_GT(window->history().count(), 50) << "it did something";
   find<QAction>("actionNeutral")->trigger();
   window->model().change([](mien::FaceState& state) { state = mien::FaceState(); });
   settle();
