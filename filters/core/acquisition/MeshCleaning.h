@@ -39,8 +39,8 @@ TriangleMesh withTriangles(const TriangleMesh::Vertices& vertices, const std::ve
 /// Closed lines of edges that one triangle alone has (EdgeRings): holes, and the rim of an open scan.
 int boundaryLoops(const TriangleMesh& mesh);
 
-/// Volume between the triangles and the mean of the vertices, mm3: negative where they are wound inwards. An opening, as
-/// at the neck, takes little of it.
+/// Volume between the triangles and the mean of the vertices, mm3: negative where they are wound inwards. An opening,
+/// as at the neck, takes little of it.
 double signedVolume(const TriangleMesh& mesh);
 
 /// Normals of the vertices, weighted with the area around them; outwards as a whole, whatever the winding of the file.
