@@ -4,11 +4,14 @@
 
 #include "FacePipeline.h"
 #include "FaceStateText.h"
+#include "vtkCommand.h"
 #include "vtkFAPReader.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPDEFaceFilter.h"
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -34,9 +37,28 @@ bool requestedTime(vtkInformation* request, vtkInformationVector* outputs, doubl
 }  // namespace
 
 struct vtkFaceStateSource::Internals {
+  vtkFaceStateSource* self;
   mien::FaceState state;
   mien::FacePipeline pipeline;
   bool failed = false;
+
+  explicit Internals(vtkFaceStateSource* source) : self(source) {
+    pipeline.face()->AddObserver(vtkCommand::ProgressEvent, this, &Internals::followProgress);
+  }
+
+  /// The surface takes almost all of the time.
+  void followProgress() {
+    self->UpdateProgress(pipeline.face()->GetProgress());
+    pipeline.face()->SetAbortExecute(self->GetAbortExecute());
+  }
+
+  /// What was aborted is done again by the next update.
+  int giveUp() {
+    failed = true;
+    pipeline.face()->SetAbortExecute(false);
+    pipeline.face()->Modified();
+    return 1;
+  }
 
   /// The state, or the state at the time that is asked for.
   mien::FaceState stateAt(bool timed, double time) const {
@@ -55,7 +77,7 @@ struct vtkFaceStateSource::Internals {
   }
 };
 
-vtkFaceStateSource::vtkFaceStateSource() : Impl(new Internals) {
+vtkFaceStateSource::vtkFaceStateSource() : Impl(new Internals(this)) {
   this->SetNumberOfInputPorts(0);
   this->SetNumberOfOutputPorts(portCount);
 }
@@ -124,6 +146,7 @@ int vtkFaceStateSource::RequestData(vtkInformation* request, vtkInformationVecto
   this->Impl->pipeline.setState(this->Impl->stateAt(timed, time));
   const std::string fault = this->Impl->pipeline.update();
   if (!fault.empty()) return this->Refuse(fault);
+  if (this->GetAbortExecute()) return this->Impl->giveUp();
   vtkStructuredGrid::GetData(outputs, gridPort)->ShallowCopy(this->Impl->pipeline.grid());
   this->Impl->copySurface(vtkPolyData::GetData(outputs, surfacePort));
   vtkPolyData::GetData(outputs, curvePort)->ShallowCopy(this->Impl->pipeline.shownCurves()->GetOutputDataObject(0));

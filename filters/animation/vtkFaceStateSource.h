@@ -6,7 +6,8 @@
  * (the mouth's slit is blanked); port 1 vtkPolyData, its visible cells wound outwards, with the same arrays; port 2
  * vtkPolyData, the boundary curves as they are shown. Lengths in mm.
  * A state with an animation file publishes TIME_STEPS (s), and a time that is asked for takes the place of the state's
- * own choice of a frame. Every piece is the whole face: pipelines that stream are built of the filters themselves.
+ * own choice of a frame. The first piece is the whole face, others are empty: pipelines that stream are built of the
+ * filters themselves.
  *
  * Errors: text that is no FaceState, files that cannot be read, values out of range; each one sentence.
  * @sa vtkBoundaryCurveReader vtkFAPAnimationFilter vtkPDEFaceFilter vtkFDTDeformationFilter
