@@ -19,8 +19,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int longWait = 30000, attempt = 6000;  // ms, of a busy machine
-constexpr int attempts = 5;
+constexpr int longWait = 60000, attempt = 10000;  // ms, of a busy machine
+constexpr int attempts = 6;
 
 /// Where a widget is in a window as it first starts.
 QPoint placeOf(const char* name) {
