@@ -140,7 +140,8 @@ int MotionVectorFigure::columnCount(int panels) const {
   const int count = std::max(1, panels);
   const double least = options_.columns > 0 ? leastAsked : leastPanel;
   const int fitting = std::max(1, static_cast<int>((panelsWidth() + units(columnGap)) / units(least + columnGap)));
-  const int columns = std::min({options_.columns > 0 ? options_.columns : fitting, fitting, count});
+  const int most = options_.asRow ? std::max(count, options_.columns) : count;  // a row keeps its cells
+  const int columns = std::min({options_.columns > 0 ? options_.columns : fitting, fitting, most});
   const int rows = (count + columns - 1) / columns;
   return options_.columns > 0 ? columns : (count + rows - 1) / rows;  // no row with a single panel beside full ones
 }

@@ -11,10 +11,11 @@ namespace {
 
 constexpr double gap = 1.5;          // mm, between panels
 constexpr double headingSize = 6.5;  // pt
+constexpr size_t leastCells = 3;     // a single face as wide as the figure would be higher than a page
 
 double cellWidth(double width, size_t count) {
-  const double gaps = gap * figureUnitsPerMillimetre * static_cast<double>(count - 1);
-  return (width - gaps) / static_cast<double>(std::max<size_t>(count, 1));
+  const double cells = static_cast<double>(std::max(count, leastCells));
+  return (width - gap * figureUnitsPerMillimetre * (cells - 1.0)) / cells;
 }
 
 /// One size for all names of a row: smaller where one of them would be cut.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 
 #include "CatalogueFigures.h"
@@ -44,7 +45,7 @@ PlatePanel vectorRow(FigureContext& context, const std::vector<FaceState>& state
   }
   MotionVectorOptions options = context.vectorOptions();
   options.width = context.innerWidth();
-  options.columns = context.isNarrow() ? 3 : static_cast<int>(states.size());  // arrows must be seen
+  options.columns = context.isNarrow() ? 3 : std::max(3, static_cast<int>(states.size()));  // arrows must be seen
   options.labelled = false;
   options.asRow = true;
   return motionPanel("Motion against the neutral face, 56 × 40 points", fields, options);
@@ -60,7 +61,7 @@ PlatePanel texturedRow(FigureContext& context, const std::vector<FaceState>& sta
     state.columns = fineColumns;
     faces.push_back({heads ? frameHeading(one) : "", state});
   }
-  const double width = context.innerWidth() / static_cast<double>(states.size());
+  const double width = context.innerWidth() / std::max(3.0, static_cast<double>(states.size()));
   return panelRow(heading, context.facePanels(faces, SceneStyle(), width, shape), context.innerWidth());
 }
 
