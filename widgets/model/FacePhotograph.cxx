@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QSaveFile>
 #include <filesystem>
+#include <utility>
 
 #include "FaceModel.h"
 #include "FaceTexture.h"
@@ -164,6 +165,7 @@ void FacePhotograph::accept(const Names& names, const std::shared_ptr<Photograph
                              "landmarks.")
                               .arg(QFileInfo(QString::fromStdString(names.image)).fileName()),
                           QString());
+  if (!waiting_.isEmpty()) openMesh(std::exchange(waiting_, QString()));
 }
 
 /// The face is as it was before, and so is the state.
@@ -175,6 +177,7 @@ void FacePhotograph::refuse(const std::string& fault) {
 
 void FacePhotograph::takeBack() {
   reading_ = false;
+  waiting_.clear();
   asked_.image = good_.image;
   asked_.mesh = good_.mesh;
   model_->change([this](FaceState& state) {
@@ -191,6 +194,7 @@ void FacePhotograph::cancel() {
 }
 
 void FacePhotograph::openMesh(const QString& file) {
+  if (reading_) return void(waiting_ = file);
   if (!photograph_ || !isOn()) return;
   WarpMesh mesh;
   const int* size = photograph_->whole->GetDimensions();

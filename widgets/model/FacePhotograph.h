@@ -100,6 +100,7 @@ class FacePhotograph : public QObject {
   QImage warped_;
   QTemporaryDir folder_;
   QString landmarks_;
+  QString waiting_;  ///< a mesh for the photograph that is being read
   int kept_ = 0;
   bool fine_ = false, reading_ = false, warpsWhole_ = false;
 };
