@@ -14,11 +14,13 @@ namespace mien {
 namespace {
 
 constexpr double rounding = 1e-7;  // what is smaller is the rounding of the jets
-constexpr int lineOfTable = 20;    // pixels
+constexpr double smallest = 1e-3;
+constexpr int lineOfTable = 20;  // pixels
 
 QString numberText(double value) {
   if (!std::isfinite(value)) return QStringLiteral("\u2013");
   if (std::abs(value) < rounding) return QStringLiteral("0");
+  if (std::abs(value) < smallest) return QString::number(value, 'g', 1).replace("e-0", "e-");  // has to fit its column
   return QString::number(value, 'g', 3);
 }
 
