@@ -11,6 +11,7 @@
 #include "MessageBar.h"
 #include "StudioWindow.h"
 #include "Theme.h"
+#include "Tour.h"
 #include "WindowPicture.h"
 
 namespace {
@@ -109,9 +110,11 @@ int main(int argc, char** argv) {
     if (!fault.isEmpty()) return say(fault, wrongValue);
   }
 
-  mien::Theme::apply(mien::Theme::Kind::Light, application);
+  mien::Theme::apply(mien::Theme::preferred(application), application);
   mien::StudioWindow window;
   window.show();
+  const bool isPlain = !arguments.isSet(options.picture) && arguments.positionalArguments().isEmpty();
+  if (isPlain) mien::Tour::showAtFirstStart(window);
   if (arguments.isSet(options.state)) {
     const QString fault = mien::WindowPicture::show(window, arguments.value(options.state));
     if (!fault.isEmpty()) return say(fault, EXIT_FAILURE);

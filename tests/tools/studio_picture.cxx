@@ -2,7 +2,8 @@
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
 // Settings: dark, side, fortyfive, mesh=2, color=Patches, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200,
 // a=2, file=X.fap, frame=100, range=50:120, dock=plotDock, compare=X.ply, press=fapAll, scan=X.ply, scale=0.75,
-// menu=editMenu, wait=2000, measure, start, act (what follows is a step of undo).
+// workspace=2, tour, focus=spectrumFigure, trigger=actionManual, grab=manualWindow, menu=editMenu, wait=2000, measure,
+// start, act (what follows is a step of undo).
 
 #include <unistd.h>
 
@@ -34,6 +35,7 @@
 #include "ScanPanel.h"
 #include "StudioWindow.h"
 #include "Theme.h"
+#include "Tour.h"
 #include "ViewArea.h"
 
 namespace {
@@ -208,6 +210,10 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "compare") compare(window, value);
   if (key == "choose")
     window.findChild<QComboBox*>(value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
+  if (key == "workspace") window.findChild<QTabBar*>("workspaces")->setCurrentIndex(value.toInt() - 1);
+  if (key == "tour") mien::Tour::begin(window);
+  if (key == "focus") window.findChild<QWidget*>(value)->setFocus();
+  if (key == "trigger") window.findChild<QAction*>(value)->trigger();
   if (key == "menu") openMenu(window, value);
   if (key == "act") act(window);
   if (key == "measure") measure(window);
@@ -234,12 +240,15 @@ int main(int argc, char** argv) {
   window.show();
   wait(500);
   double share = 1.0;
+  QString grabbed;
   for (const QString& setting : arguments.mid(3)) {
     apply(window, setting);
+    if (setting.startsWith("grab=")) grabbed = setting.section('=', 1);
     if (setting.startsWith("scale=")) share = setting.section('=', 1).toDouble();
   }
   wait(500);
-  const QImage picture = pictureOf(window);
+  QWidget* shown = grabbed.isEmpty() ? nullptr : window.findChild<QWidget*>(grabbed);
+  const QImage picture = shown ? shown->grab().toImage().convertToFormat(QImage::Format_RGB888) : pictureOf(window);
   const int width = static_cast<int>(share * picture.width());
   constexpr int smallestFile = 0;  // as PNG files have no quality to lose
   const QImage scaled = coarse(picture.scaledToWidth(width, Qt::SmoothTransformation));

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFile>
 #include <QProcess>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
 #include <functional>
@@ -46,6 +47,11 @@ class StudioProgram : public testing::Test {
       process->waitForFinished();
     }
   };
+
+  /// Not the first start, which has a tour over the window.
+  StudioProgram() {
+    QSettings(settings.path() + "/mien/mien-studio.conf", QSettings::IniFormat).setValue("window/tourSeen", true);
+  }
 
   std::unique_ptr<QProcess> begin(const QStringList& arguments) const {
     auto process = std::make_unique<QProcess>();

@@ -4,20 +4,21 @@
 #include <functional>
 #include <string>
 
+#include "ExportOptions.h"
 #include "Figure.h"
 
 class QPainter;
 
 namespace mien {
 
-/// A figure ready to be written: as large as a page's text is wide, in the colours of paper.
+/// A figure ready to be written.
 struct ExportDrawing {
-  static constexpr double width = 170.0;  ///< mm, the text width of an A4 page
+  static constexpr double pageWidth = 170.0;  ///< mm, the text width of an A4 page
 
   ExportDrawing() = default;
 
-  /// A figure of charts; nothing without panels.
-  ExportDrawing(const Figure& figure);
+  /// A figure of charts, as wide as a page's text unless the options say otherwise; nothing without panels.
+  ExportDrawing(const Figure& figure, const ExportOptions& options);
 
   QSizeF size;                           ///< figure units
   std::function<void(QPainter&)> paint;  ///< empty: there is nothing to write yet

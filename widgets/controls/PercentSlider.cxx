@@ -20,6 +20,7 @@ void makePercent(ValueSlider* slider, QSpinBox* box, const QString& name, const 
   slider->setAccessibleName(name);
   slider->setToolTip(tip);
   box->setRange(0, full);
+  box->setToolTip(tip);
   box->setSuffix(" %");
   box->setAlignment(Qt::AlignRight);
   box->setButtonSymbols(QAbstractSpinBox::NoButtons);

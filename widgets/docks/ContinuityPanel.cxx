@@ -117,7 +117,9 @@ QWidget* ContinuityPanel::controls() {
   row->addWidget(onFace_);
   row->addStretch();
   row->addWidget(new ExportButton(
-      "continuityExport", model_, [this] { return profileFigure(); }, [this] { return numbers(); }, box));
+      "continuityExport", model_,
+      [this](const ExportOptions& options) { return ExportDrawing(profileFigure(), options); },
+      [this] { return numbers(); }, box));
   return box;
 }
 

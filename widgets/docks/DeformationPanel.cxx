@@ -116,7 +116,8 @@ QWidget* DeformationPanel::controls() {
   row->addSpacing(10);
   row->addWidget(onFace_);
   row->addWidget(new ExportButton(
-      "deformationExport", model_, [this] { return figure(); }, [this] { return coefficients_->text(); }, box));
+      "deformationExport", model_, [this](const ExportOptions& options) { return ExportDrawing(figure(), options); },
+      [this] { return coefficients_->text(); }, box));
   return box;
 }
 

@@ -31,6 +31,7 @@ ExpressionPanel::ExpressionPanel(FaceModel* model, QWidget* parent) : QWidget(pa
   column->setSpacing(2);
   for (const std::string& name : vtkFAPAnimationFilter::GetExpressionNames()) addRow(QString::fromStdString(name));
   column->addWidget(new VisemePanel(model_, this));
+  column->addStretch();
   connect(model_, &FaceModel::stateChanged, this, &ExpressionPanel::follow);
   follow();
 }

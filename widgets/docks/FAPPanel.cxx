@@ -133,7 +133,8 @@ void FAPPanel::addTab(int group, const QString& title) {
   scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setWidget(page);
   pages_->addWidget(scroll);
-  tabs_->addTab(title);
+  tabs_->setTabToolTip(tabs_->addTab(title),
+                       tr("Those of the 22 FAPs of Sheng et al. 2011 that move the %1").arg(title.toLower()));
 }
 
 void FAPPanel::addRow(int fap) {
@@ -172,7 +173,7 @@ QWidget* FAPPanel::footer() {
     Remembered::set(mirrorKey, on);
     showPartners();
   });
-  auto* reset = new QPushButton(tr("&Reset all FAPs"), bar);
+  auto* reset = new QPushButton(tr("Rese&t all FAPs"), bar);
   reset->setProperty("compact", true);
   reset->setObjectName("fapResetAll");
   reset->setToolTip(tr("Every FAP back to 0; an expression and an animation stay"));

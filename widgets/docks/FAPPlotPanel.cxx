@@ -129,7 +129,8 @@ QWidget* FAPPlotPanel::controls() {
   row->addWidget(hint_, 1);
   for (QWidget* widget : {nearer, further, whole, range}) row->addWidget(widget);
   row->addWidget(new ExportButton(
-      "plotExport", model_, [this] { return fullFigure(); }, [this] { return numbers(); }, box));
+      "plotExport", model_, [this](const ExportOptions& options) { return ExportDrawing(fullFigure(), options); },
+      [this] { return numbers(); }, box));
   return box;
 }
 

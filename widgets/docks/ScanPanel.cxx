@@ -114,6 +114,7 @@ void ScanPanel::describeButtons() {
   progress_->setFixedWidth(120);
   report_->setObjectName("scanReport");
   report_->setReadOnly(true);
+  report_->setTabChangesFocus(true);
   report_->setToolTip(tr("What was found: unit, pose, mesh, landmarks, distance of the scan's own spline face"));
   report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   report_->setLineWrapMode(QPlainTextEdit::WidgetWidth);

@@ -158,7 +158,9 @@ QWidget* SmoothingPanel::controls() {
   row->addWidget(cancel_);
   row->addStretch();
   row->addWidget(new ExportButton(
-      "smoothingExport", model_, [this] { return sweepFigureOfAll(); }, [this] { return numbers(); }, box));
+      "smoothingExport", model_,
+      [this](const ExportOptions& options) { return ExportDrawing(sweepFigureOfAll(), options); },
+      [this] { return numbers(); }, box));
   return box;
 }
 

@@ -135,7 +135,7 @@ QWidget* SpectrumPanel::controls() {
   row->addWidget(partial_);
   row->addStretch();
   row->addWidget(new ExportButton(
-      "spectrumExport", model_, [this] { return fullFigure(); },
+      "spectrumExport", model_, [this](const ExportOptions& options) { return ExportDrawing(fullFigure(), options); },
       [this] { return rowCount() ? tableText(modes_->GetSpectrum()) : std::string(); }, box));
   return box;
 }

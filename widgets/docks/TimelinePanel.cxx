@@ -49,7 +49,8 @@ TimelinePanel::TimelinePanel(FaceModel* model, AnimationPlayer* player, QWidget*
       time_(faintLabel(this, "timelineTime")),
       rate_(faintLabel(this, "timelineRate")),
       lower_(new QHBoxLayout) {
-  setObjectName("card");
+  setObjectName("timelinePanel");
+  setProperty("card", true);
   buildButtons();
   buildPosition();
   buildRange();
@@ -96,6 +97,7 @@ void TimelinePanel::buildPosition() {
   position_->setSingleStep(1);
   position_->setPageStep(10);
   position_->setAccessibleName(tr("Position in the animation"));
+  position_->setToolTip(tr("The frame that is shown; arrow keys step by one, Page up and down by ten"));
   for (QWidget* widget : {static_cast<QWidget*>(position_), static_cast<QWidget*>(frame_)})
     widget->setProperty(notInSession, true);  // the state has the frame
   frame_->setObjectName("timelineFrame");

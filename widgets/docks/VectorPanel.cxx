@@ -107,7 +107,8 @@ QWidget* VectorPanel::side() {
   last->addStretch();
   last->addWidget(fit);
   last->addWidget(new ExportButton(
-      "vectorsExport", model_, [this] { return drawing(); }, [this] { return numbers(); }, page));
+      "vectorsExport", model_, [this](const ExportOptions& options) { return drawing(options); },
+      [this] { return numbers(); }, page));
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 4, 0);
   column->setSpacing(3);
@@ -224,16 +225,16 @@ MotionWords VectorPanel::words() const {
   return words;
 }
 
-/// As the screen shows it, in the colours and the size of a page; scale and range chosen for that size where they are
-/// open.
-ExportDrawing VectorPanel::drawing() const {
+/// As the screen shows it, in the colours and the size that are asked for; scale and range chosen for that size where
+/// they are open.
+ExportDrawing VectorPanel::drawing(const ExportOptions& asked) const {
   const MotionResult& result = motion_->result();
   ExportDrawing drawing;
   if (!result.field) return drawing;
   MotionVectorOptions options = result.request.options;
-  options.theme = "light";
-  options.background = QColor();
-  options.width = paperWidth;
+  options.theme = asked.theme;
+  options.background = asked.figureTheme().background;
+  options.width = asked.width > 0.0 ? asked.width : paperWidth;
   options.height = 0.0;
   options.keyBeside = false;
   describeMotion(words(), options);

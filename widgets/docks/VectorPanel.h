@@ -50,7 +50,7 @@ class VectorPanel : public QWidget {
   void show();
   void fitToScreen(MotionRequest& request) const;
   MotionWords words() const;
-  ExportDrawing drawing() const;
+  ExportDrawing drawing(const ExportOptions& asked) const;
   std::string numbers() const;
   QString summary() const;
 

@@ -41,8 +41,9 @@ Autosave::Autosave(Session* session, History* history, const QString& folder)
   timer_->setSingleShot(true);
   timer_->setInterval(interval);
   connect(timer_, &QTimer::timeout, this, &Autosave::write);
-  connect(history, &History::changed, this, [this] {
-    if (!timer_->isActive()) timer_->start();
+  connect(history, &History::changed, this, [this, history] {
+    const bool hasChanged = lock_ || !history->isClean();
+    if (hasChanged && !timer_->isActive()) timer_->start();
   });
   findOrphans();
 }

@@ -3,9 +3,11 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QVariant>
 #include <algorithm>
 #include <cmath>
 
+#include "OwnKeys.h"
 #include "ScreenFigure.h"
 #include "Theme.h"
 
@@ -29,6 +31,9 @@ double valueAt(const AxisScale& scale, double fraction) {
 
 FigureView::FigureView(const QString& objectName, Marker marker, QWidget* parent) : QWidget(parent), marker_(marker) {
   setObjectName(objectName);
+  setProperty(ownKeys, QStringList{tr("Arrow keys: the value before, the next one"),
+                                   tr("Page up, Page down: five values on, five back"),
+                                   tr("Home, End: the first value, the last")});
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }

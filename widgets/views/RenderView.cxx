@@ -11,7 +11,8 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
-#include <QEvent>
+#include <QKeyEvent>
+#include <QVariant>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -19,16 +20,18 @@
 
 #include "FaceModel.h"
 #include "MotionReach.h"
+#include "OwnKeys.h"
 #include "Theme.h"
 
 namespace mien {
 
 namespace {
 
-constexpr double viewAngle = 14.0;   // degrees: a portrait lens, nearly parallel
-constexpr double margin = 0.075;     // of the face's extent, around it at rest; its near parts look larger
-constexpr double thinMargin = 0.03;  // around all that it reaches
-constexpr double mostReach = 0.6;    // values beyond all sense must not make a face a dot
+constexpr double keyTurn = 5.0, keyZoom = 1.1;  // degrees and factor of a key
+constexpr double viewAngle = 14.0;              // degrees: a portrait lens, nearly parallel
+constexpr double margin = 0.075;                // of the face's extent, around it at rest; its near parts look larger
+constexpr double thinMargin = 0.03;             // around all that it reaches
+constexpr double mostReach = 0.6;               // values beyond all sense must not make a face a dot
 
 double degrees(RenderView::Side side) {
   return side == RenderView::Side::Front ? 0.0 : side == RenderView::Side::FortyFive ? 45.0 : 90.0;
@@ -118,6 +121,8 @@ RenderView::RenderView(FaceModel* model, QWidget* parent) : QVTKOpenGLNativeWidg
   setRenderWindow(window_);
   setAcceptDrops(false);  // the main window takes what is dropped
   setFocusPolicy(Qt::StrongFocus);
+  setProperty(ownKeys, QStringList{tr("Arrow keys: turn the face or its curves by 5\u00b0"),
+                                   tr("+, \u2212: nearer, further"), tr("Home: all of it")});
   window_->SetMultiSamples(0);
   renderer_->UseFXAAOn();  // smooth edges at a fraction of what samples cost without a graphics card
   window_->AddRenderer(renderer_);
@@ -302,7 +307,28 @@ void RenderView::resizeEvent(QResizeEvent* event) {
   redraw();
 }
 
+/// Turns and zooms as the mouse does.
+bool RenderView::pressKey(int key) {
+  const double aside = key == Qt::Key_Left ? keyTurn : key == Qt::Key_Right ? -keyTurn : 0.0;
+  const double up = key == Qt::Key_Up ? keyTurn : key == Qt::Key_Down ? -keyTurn : 0.0;
+  const double zoom = key == Qt::Key_Plus || key == Qt::Key_Equal ? keyZoom
+                      : key == Qt::Key_Minus                      ? 1.0 / keyZoom
+                                                                  : 1.0;
+  if (key == Qt::Key_Home) fit();
+  if (aside == 0.0 && up == 0.0 && zoom == 1.0) return key == Qt::Key_Home;
+  camera()->Azimuth(aside);
+  camera()->Elevation(-up);
+  camera()->OrthogonalizeViewUp();
+  camera()->Dolly(zoom);
+  userMoved();
+  redraw();
+  return true;
+}
+
+/// Letters are not for VTK, where they would change how all is drawn.
 bool RenderView::event(QEvent* event) {
+  if (event->type() == QEvent::KeyPress)
+    return pressKey(static_cast<QKeyEvent*>(event)->key()) || QOpenGLWidget::event(event);
   if (event->type() == QEvent::MouseButtonDblClick) {
     fit();
     return true;

@@ -61,6 +61,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   void addLights();
   void observeMouse();
   void userMoved();
+  bool pressKey(int key);
   void placeCamera();
   void followReach();
   double fittingDistance() const;  ///< from which the whole face fills this view

@@ -17,6 +17,7 @@ ThumbnailStrip::ThumbnailStrip(QWidget* parent) : QWidget(parent) {
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize({side * 3 / 4, side});
     button->setFocusPolicy(Qt::TabFocus);
+    button->setToolTip(tr("The face with a value of the smoothing parameter a; click to use it"));
     button->setEnabled(false);
     connect(button, &QToolButton::clicked, this, [this, i] { emit chosen(pictures_[i].a); });
     row->addWidget(button);

@@ -4,9 +4,11 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QVariant>
 #include <algorithm>
 
 #include "MotionVectorFigure.h"
+#include "OwnKeys.h"
 #include "ScreenFigure.h"
 #include "Theme.h"
 
@@ -14,6 +16,7 @@ namespace mien {
 
 VectorView::VectorView(const QString& objectName, QWidget* parent) : QWidget(parent) {
   setObjectName(objectName);
+  setProperty(ownKeys, QStringList{tr("Esc: the whole face again")});
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setCursor(Qt::CrossCursor);

@@ -18,7 +18,7 @@ constexpr int shortTitle = 36;  // pixels
 
 ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
     : QFrame(parent), header_(new QHBoxLayout), name_(new ElidedLabel(this)) {
-  setObjectName("card");
+  setProperty("card", true);
   name_->setProperty("heading", true);
   name_->setText(title);
   name_->setMinimumWidth(shortTitle);

@@ -3,10 +3,12 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QVariant>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
+#include "OwnKeys.h"
 #include "Theme.h"
 
 namespace mien {
@@ -25,6 +27,8 @@ const QColor lineColor("#ffd23f"), edgeColor("#1b2027"), chosenColor("#ff6a2b");
 
 WarpMeshView::WarpMeshView(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
+  setProperty(ownKeys, QStringList{tr("Tab, Shift+Tab: the next point of the mesh, the one before"),
+                                   tr("Arrow keys: one pixel, with Shift ten")});
   setMinimumSize(120, 100);
 }
 

@@ -22,7 +22,7 @@ FileMenu::FileMenu(StudioWindow* window, SessionDocument* document, RecentFiles*
 }
 
 void FileMenu::addSession() {
-  QAction* open = addAction(tr("Open &session..."), this, &FileMenu::chooseSession);
+  QAction* open = addAction(tr("Open s&ession..."), this, &FileMenu::chooseSession);
   open->setObjectName("actionOpenSession");
   open->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_O);
   QAction* save = addAction(tr("&Save session"), document_, QOverload<>::of(&SessionDocument::save));

@@ -10,6 +10,7 @@
 #include <QVariant>
 
 #include "Icons.h"
+#include "MessageLog.h"
 #include "SessionPart.h"
 
 namespace mien {
@@ -35,30 +36,43 @@ MessageBar::MessageBar(QWidget* parent)
   details_->setObjectName("messageDetails");
   details_->setReadOnly(true);
   details_->setFixedHeight(detailsHeight);
-  more_->setObjectName("messageMore");
-  more_->setText(tr("Details"));
-  more_->setCheckable(true);
-  more_->setProperty(notInSession, true);
-  auto* close = new QToolButton(this);
-  close->setObjectName("messageClose");
-  close->setIcon(icon(Symbol::Close));
-  close->setIconSize({11, 11});
-  close->setToolTip(tr("Hide this message"));
-  connect(more_, &QToolButton::toggled, details_, &QWidget::setVisible);
+  details_->setTabChangesFocus(true);
+  details_->setToolTip(tr("What else is known about this message"));
   leaving_->setSingleShot(true);
   leaving_->setInterval(noteTime);
   connect(leaving_, &QTimer::timeout, this, &QWidget::hide);
-  connect(close, &QToolButton::clicked, this, &QWidget::hide);
   auto* row = new QHBoxLayout;
   row->addWidget(sentence_, 1);
-  row->addWidget(more_);
-  row->addWidget(close);
+  buildButtons(row);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(10, 4, 6, 4);
   column->addLayout(row);
   column->addWidget(details_);
   details_->hide();
   hide();
+}
+
+void MessageBar::buildButtons(QLayout* row) {
+  more_->setObjectName("messageMore");
+  more_->setText(tr("Details"));
+  more_->setToolTip(tr("What else is known about this message"));
+  more_->setCheckable(true);
+  more_->setProperty(notInSession, true);
+  auto *log = new QToolButton(this), *close = new QToolButton(this);
+  log->setObjectName("messageLogOpen");
+  log->setText(tr("All messages"));
+  log->setToolTip(tr("What was said since the start"));
+  close->setObjectName("messageClose");
+  close->setIcon(icon(Symbol::Close));
+  close->setIconSize({11, 11});
+  close->setToolTip(tr("Hide this message"));
+  for (QToolButton* button : {more_, log, close}) {
+    button->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(button);
+  }
+  connect(more_, &QToolButton::toggled, details_, &QWidget::setVisible);
+  connect(log, &QToolButton::clicked, this, &MessageBar::showLog);
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
 }
 
 QString MessageBar::sentence() const {
@@ -78,8 +92,20 @@ void MessageBar::clearError() {
   if (property("severity") == "error") hide();
 }
 
+void MessageBar::showLog() {
+  if (!shownLog_) {
+    shownLog_ = new MessageLog(log_, window());
+    shownLog_->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  shownLog_->show();
+  shownLog_->raise();
+}
+
 void MessageBar::show(const char* severity, const QString& sentence, const QString& details) {
   leaving_->stop();
+  if (log_.size() == mostKept) log_.erase(log_.begin());
+  log_.push_back({QDateTime::currentDateTime(), severity == QByteArray("error"), sentence, details});
+  if (shownLog_) shownLog_->add(log_.back());
   setProperty("severity", severity);
   style()->unpolish(this);  // the style sheet chooses by severity
   style()->polish(this);

@@ -1,17 +1,24 @@
 #pragma once
 
 #include <QFrame>
+#include <QPointer>
+#include <vector>
+
+#include "Message.h"
 
 class QLabel;
+class QLayout;
 class QPlainTextEdit;
 class QTimer;
 class QToolButton;
 
 namespace mien {
 
+class MessageLog;
+
 /// What went wrong, or is worth knowing: one sentence at the foot of the window, with details on request.
 /// It never interrupts; the next message takes the place of the last. A note without details leaves after some seconds,
-/// an error when what failed has succeeded.
+/// an error when what failed has succeeded. What was said before stands in a log.
 class MessageBar : public QFrame {
   Q_OBJECT
  public:
@@ -19,18 +26,25 @@ class MessageBar : public QFrame {
 
   QString sentence() const;
 
+  static constexpr int mostKept = 500;  ///< messages, of which the oldest are forgotten
+  const std::vector<Message>& log() const { return log_; }
+
  public slots:
   void showError(const QString& sentence, const QString& details);
   void showNote(const QString& sentence, const QString& details);
   void clearError();  ///< hides an error; a note stays
+  void showLog();
 
  private:
+  void buildButtons(QLayout* row);
   void show(const char* severity, const QString& sentence, const QString& details);
 
   QLabel* sentence_;
   QPlainTextEdit* details_;
   QToolButton* more_;
   QTimer* leaving_;
+  std::vector<Message> log_;
+  QPointer<MessageLog> shownLog_;
 };
 
 }  // namespace mien

@@ -1,15 +1,14 @@
 #include "StudioWindow.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
+#include <QTabBar>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -21,6 +20,7 @@
 #include "FAPPanel.h"
 #include "FaceModel.h"
 #include "FileMenu.h"
+#include "HelpMenu.h"
 #include "History.h"
 #include "LaboratoryDocks.h"
 #include "LiveStream.h"
@@ -31,17 +31,17 @@
 #include "SessionKeeper.h"
 #include "SurfacePanel.h"
 #include "TexturePanel.h"
-#include "Theme.h"
 #include "TimelinePanel.h"
 #include "ViewArea.h"
+#include "ViewMenu.h"
 #include "WindowLayout.h"
+#include "Workspaces.h"
 
 namespace mien {
 
 namespace {
 
 constexpr int startWidth = 1280, startHeight = 800;  // pixels
-constexpr int dockWidth = 340;
 
 QString droppedFile(const QMimeData* data) {
   for (const QUrl& url : data->urls())
@@ -83,12 +83,15 @@ StudioWindow::StudioWindow()
   setAcceptDrops(true);
   setCentralWidget(centre());
   addDocks();
+  workspaces_ = new Workspaces(this);
   addMenus();
+  menuBar()->setCornerWidget(workspaces_->bar());
   connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
   connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
   connect(model_, &FaceModel::recovered, messages_, &MessageBar::clearError);
   resize(startWidth, startHeight);
   WindowLayout::restore(*this);
+  workspaces_->restore();
   keeper_->history()->clear();
 }
 
@@ -118,30 +121,27 @@ QWidget* StudioWindow::centre() {
   return box;
 }
 
-QDockWidget* StudioWindow::addDock(const QString& name, const QString& title, QWidget* panel) {
+void StudioWindow::addDock(const QString& name, const QString& title, QWidget* panel) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
   dock->setWidget(panel);
   dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                     QDockWidget::DockWidgetFloatable);
   addDockWidget(Qt::LeftDockWidgetArea, dock);
-  return dock;
 }
 
 void StudioWindow::addDocks() {
-  QDockWidget* expressions = addDock("expressionDock", tr("Expression"), new ExpressionPanel(model_));
-  QDockWidget* faps = addDock("fapDock", tr("Facial animation parameters"), new FAPPanel(model_));
-  QDockWidget* surface = addDock("surfaceDock", tr("Surface"), new SurfacePanel(model_));
-  resizeDocks({expressions, faps, surface}, {dockWidth, dockWidth, dockWidth}, Qt::Horizontal);
-  resizeDocks({expressions, faps, surface}, {1, 1000, 1}, Qt::Vertical);
+  addDock("expressionDock", tr("Expression"), new ExpressionPanel(model_));
+  addDock("fapDock", tr("Facial animation parameters"), new FAPPanel(model_));
+  addDock("surfaceDock", tr("Surface"), new SurfacePanel(model_));
 }
 
 void StudioWindow::addMenus() {
   menuBar()->addMenu(new FileMenu(this, keeper_->document(), keeper_->recent()));
   menuBar()->addMenu(new EditMenu(keeper_->history(), model_, face_, this));
   addFaceMenu();
-  addViewMenu();
-  addHelpMenu();
+  menuBar()->addMenu(new ViewMenu(this, views_, workspaces_, messages_));
+  menuBar()->addMenu(new HelpMenu(this));
 }
 
 void StudioWindow::addFaceMenu() {
@@ -153,47 +153,6 @@ void StudioWindow::addFaceMenu() {
   QAction* reset = face->addAction(tr("&Neutral face"), this, &StudioWindow::resetAll);
   reset->setShortcut(Qt::CTRL | Qt::Key_0);
   reset->setObjectName("actionNeutral");
-}
-
-void StudioWindow::addViewMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&View"));
-  menu->setObjectName("viewMenu");
-  const auto add = [&](const QString& text, int key, RenderView::Side side) {
-    menu->addAction(text, this, [this, side] { views_->look(side); })->setShortcut(Qt::CTRL | Qt::Key(key));
-  };
-  add(tr("&Front"), Qt::Key_1, RenderView::Side::Front);
-  add(tr("&45 degrees"), Qt::Key_2, RenderView::Side::FortyFive);
-  add(tr("&Side"), Qt::Key_3, RenderView::Side::Profile);
-  menu->addSeparator();
-  for (QDockWidget* dock : findChildren<QDockWidget*>()) menu->addAction(dock->toggleViewAction());
-  menu->addSeparator();
-  QAction* dark = menu->addAction(tr("&Dark colours"));
-  dark->setObjectName("actionDark");
-  dark->setCheckable(true);
-  dark->setChecked(Theme::current().kind == Theme::Kind::Dark);
-  connect(dark, &QAction::toggled, this, &StudioWindow::setDark);
-}
-
-void StudioWindow::addHelpMenu() {
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  help->setObjectName("helpMenu");
-  help->addAction(tr("&About Mien Studio"), this, &StudioWindow::showAbout);
-}
-
-void StudioWindow::setDark(bool dark) {
-  Theme::apply(dark ? Theme::Kind::Dark : Theme::Kind::Light, *qApp);
-  views_->useTheme();
-}
-
-void StudioWindow::showAbout() {
-  QMessageBox::about(
-      this, tr("About Mien Studio"),
-      tr("<h3>Mien %1</h3><p>PDE face surfaces and MPEG-4 facial animation.</p>"
-         "<p>Y. Sheng, P. Willis, G. Gonzalez Castro, H. Ugail: Facial geometry parameterisation based on "
-         "partial differential equations. Mathematical and Computer Modelling, 2011.</p>"
-         "<p>M. Obaid, R. Mukundan, M. Billinghurst, M. Sagar: Facial expression representation using a "
-         "quadratic deformation model. CGIV 2009.</p><p>BSD 3-Clause licence.</p>")
-          .arg(QApplication::applicationVersion()));
 }
 
 bool StudioWindow::openFile(const QString& fileName) {
@@ -282,6 +241,7 @@ void StudioWindow::closeEvent(QCloseEvent* event) {
   player_->pause();
   if (!document().mayClose()) return event->ignore();
   WindowLayout::save(*this);
+  workspaces_->save();
   QMainWindow::closeEvent(event);
 }
 

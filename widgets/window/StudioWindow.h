@@ -17,6 +17,7 @@ class MessageBar;
 class SessionDocument;
 class SessionKeeper;
 class ViewArea;
+class Workspaces;
 
 /// The main window of Mien Studio: it puts the widgets in their places and knows the menus.
 class StudioWindow : public QMainWindow {
@@ -50,14 +51,10 @@ class StudioWindow : public QMainWindow {
  private:
   QWidget* centre();
   void addDocks();
-  QDockWidget* addDock(const QString& name, const QString& title, QWidget* panel);
+  void addDock(const QString& name, const QString& title, QWidget* panel);
   bool openAs(FileKind kind, const QString& fileName);
   void addMenus();
   void addFaceMenu();
-  void addViewMenu();
-  void addHelpMenu();
-  void setDark(bool dark);
-  void showAbout();
 
   FaceModel* model_;
   AnimationPlayer* player_;
@@ -66,6 +63,7 @@ class StudioWindow : public QMainWindow {
   ViewArea* views_;
   MessageBar* messages_;
   LaboratoryDocks* laboratory_;
+  Workspaces* workspaces_;
   SessionKeeper* keeper_;
   LiveStream* stream_ = nullptr;
 };

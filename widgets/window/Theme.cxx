@@ -4,12 +4,18 @@
 #include <QPalette>
 #include <QString>
 #include <QStyleFactory>
+#include <QVariant>
+
+#include "Remembered.h"
 
 namespace mien {
 
 namespace {
 
 const Theme* applied = nullptr;
+
+constexpr const char* darkKey = "window/dark";
+constexpr int middleGrey = 128;
 
 Theme light() {
   Theme theme;
@@ -87,18 +93,20 @@ QPalette palette(const Theme& theme) {
 /// Names in @ stand for colours of the theme.
 const char* const styleText = R"(
 QMainWindow, QDialog { background: @window; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QMainWindow::separator { background: @window; width: 6px; height: 6px; }
 QToolTip { color: @text; background: @panel; border: 1px solid @line; padding: 4px; }
 QMenuBar { background: @window; }
 QStatusBar { background: @window; color: @faint; }
 QDockWidget { font-weight: 600; titlebar-close-icon: none; }
 QDockWidget::title { background: @window; padding: 6px 8px; }
-QFrame#card { background: @panel; border: 1px solid @line; border-radius: 6px; }
+QFrame[card="true"] { background: @panel; border: 1px solid @line; border-radius: 6px; }
 QLabel[faint="true"] { color: @faint; }
 QLabel[heading="true"] { font-weight: 600; }
 QTabWidget::pane { border: none; border-top: 1px solid @line; }
 QTabBar::tab { padding: 5px 9px; border: none; border-bottom: 2px solid transparent; color: @faint; background: transparent; }
 QTabBar#fapTabs::tab { padding: 5px 7px; }
+QTabBar#workspaces::tab { padding: 4px 12px; }
 QTabBar::tab:selected { color: @text; border-bottom-color: @accent; }
 QTabBar::tab:hover { color: @text; }
 QTabBar::tab:focus { color: @accent; }
@@ -115,6 +123,7 @@ QToolButton:hover { border-color: @line; }
 QToolButton:focus { border-color: @accent; }
 QToolButton:checked { background: @accent; color: @accentText; }
 QToolButton:checked:disabled { background: @line; }
+QListWidget#manualContents::item { padding: 3px 4px; }
 QListWidget#plotFAPs { border: 1px solid @line; border-radius: 4px; }
 QListWidget#plotFAPs::item { color: @faint; }
 QListWidget#plotFAPs::item:selected { color: @text; background: @window; }
@@ -144,11 +153,29 @@ const Theme& Theme::current() {
   return applied ? *applied : of(Kind::Light);
 }
 
+Theme::Kind Theme::preferred(const QApplication& application) {
+  const bool isDark = application.palette().color(QPalette::Window).lightness() < middleGrey;
+  return Remembered::value(darkKey, isDark).toBool() ? Kind::Dark : Kind::Light;
+}
+
+void Theme::choose(Kind kind, QApplication& application) {
+  Remembered::set(darkKey, kind == Kind::Dark);
+  apply(kind, application);
+}
+
 void Theme::apply(Kind kind, QApplication& application) {
   applied = &of(kind);
   application.setStyle(QStyleFactory::create("Fusion"));
   application.setPalette(palette(*applied));
   application.setStyleSheet(styleSheet(*applied));
+}
+
+BorrowedTheme::BorrowedTheme(const Theme& theme) : before_(applied) {
+  applied = &theme;
+}
+
+BorrowedTheme::~BorrowedTheme() {
+  applied = before_;
 }
 
 }  // namespace mien

@@ -22,8 +22,27 @@ struct Theme {
   /// The one that was applied last; light before that.
   static const Theme& current();
 
+  /// The one that the user chose last; else the one that is nearer to the desktop's colours.
+  static Kind preferred(const QApplication& application);
+
+  /// Applies it, and remembers it for the next start.
+  static void choose(Kind kind, QApplication& application);
+
   /// Gives the application this theme's style, palette and style sheet.
   static void apply(Kind kind, QApplication& application);
+};
+
+/// Theme::current() is another one as long as this lives, for pictures that are not of the screen. It must outlive
+/// this.
+class BorrowedTheme {
+ public:
+  explicit BorrowedTheme(const Theme& theme);
+  ~BorrowedTheme();
+  BorrowedTheme(const BorrowedTheme&) = delete;
+  BorrowedTheme& operator=(const BorrowedTheme&) = delete;
+
+ private:
+  const Theme* before_;
 };
 
 }  // namespace mien

@@ -1,5 +1,8 @@
 #include "ViewArea.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkPolyData.h>
+
 #include <QComboBox>
 #include <QSplitter>
 #include <QToolButton>
@@ -15,8 +18,11 @@
 #include "CurveView.h"
 #include "DifferenceArrows.h"
 #include "ElidedLabel.h"
+#include "Exporter.h"
 #include "FaceColoring.h"
 #include "FaceModel.h"
+#include "PointNumbers.h"
+#include "ViewExport.h"
 #include "ViewFrame.h"
 
 namespace mien {
@@ -55,6 +61,7 @@ ViewArea::ViewArea(FaceModel* model, FaceView* face, CurveView* curves, QWidget*
   column->addWidget(displayRow());
   column->addWidget(splitter(), 1);
   linkCameras(true);
+  addExporters();
   connect(comparison_, &Comparison::changed, this, &ViewArea::followComparison);
   connect(comparison_, &Comparison::measured, this, &ViewArea::showDifference);
 }
@@ -64,7 +71,8 @@ QWidget* ViewArea::displayRow() {
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(2, 0, 0, 0);
   auto* bar = new ColoringBar(coloring_, row);
-  faceFrame_->addBelow(coloring_->key());
+  faceKey_ = coloring_->key();
+  faceFrame_->addBelow(faceKey_);
   connect(bar, &ColoringBar::curvesToggled, this, [this](bool on) {
     curvesOn_ = on;
     showCurves();
@@ -115,7 +123,8 @@ void ViewArea::addSideButtons() {
 }
 
 void ViewArea::addCurveFrame() {
-  curveFrame_->addBelow(new ColorScale(model_, this));
+  curveKey_ = new ColorScale(model_, this);
+  curveFrame_->addBelow(curveKey_);
   const auto add = [&](const QString& name, const QString& text, const QString& tip) {
     return curveFrame_->addToggle(name, text, tip, true);
   };
@@ -210,6 +219,24 @@ void ViewArea::showDifference() {
   const double longest = comparison_->corresponds() ? std::numeric_limits<double>::infinity() : longestArrow;
   for (size_t i = 0; i < arrows_.size(); ++i)
     arrows_[i]->show(comparison_->surface(sides[i]), "DistanceVector", longest);
+}
+
+void ViewArea::addExporters() {
+  const auto title = [this](const char* what) {
+    const std::string motion = model_->motionText();
+    return what + (motion.empty() ? std::string("neutral") : motion);
+  };
+  faceExporter_ = new Exporter(
+      model_, [=](const ExportOptions& options) { return viewDrawing(face_, faceKey_, title("Face, "), options); },
+      [this] { return pointNumbers(vtkPolyData::SafeDownCast(model_->pipeline().surface()->GetOutputDataObject(0))); },
+      this);
+  curveExporter_ = new Exporter(
+      model_,
+      [=](const ExportOptions& options) {
+        return viewDrawing(curves_, curveKey_, title("Boundary curves, "), options);
+      },
+      [this] { return pointNumbers(vtkPolyData::SafeDownCast(model_->pipeline().curves()->GetOutputDataObject(0))); },
+      this);
 }
 
 void ViewArea::arrange() {

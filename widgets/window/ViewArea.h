@@ -18,6 +18,7 @@ class DifferenceArrows;
 class FaceColoring;
 class FaceModel;
 class ElidedLabel;
+class Exporter;
 class ViewFrame;
 
 /// The views in the middle of the window, side by side: the face, the one that it is compared with, and the curves;
@@ -29,6 +30,9 @@ class ViewArea : public QWidget {
 
   ViewFrame* faceFrame() const { return faceFrame_; }
   Comparison* comparison() const { return comparison_; }
+
+  Exporter* faceExporter() const { return faceExporter_; }
+  Exporter* curveExporter() const { return curveExporter_; }
 
   void look(RenderView::Side side);
   void useTheme();
@@ -51,6 +55,7 @@ class ViewArea : public QWidget {
   void arrange();
   void linkCameras(bool linked);
   void showWhole();
+  void addExporters();
 
   FaceModel* model_;
   FaceView* face_;
@@ -62,6 +67,8 @@ class ViewArea : public QWidget {
   std::vector<CurveOverlay*> overlays_;
   std::vector<DifferenceArrows*> arrows_;
   std::vector<ElidedLabel*> summaries_;
+  Exporter *faceExporter_ = nullptr, *curveExporter_ = nullptr;
+  QWidget *faceKey_ = nullptr, *curveKey_ = nullptr;
   QComboBox* mesh_;
   QSplitter* splitter_;
   QToolButton* swap_ = nullptr;

@@ -4,12 +4,12 @@ class QMainWindow;
 
 namespace mien {
 
-/// Remembers where the docks are from one start to the next.
-/// @sa Remembered
+/// Remembers where the window is and how large from one start to the next.
+/// @sa Remembered, Workspaces
 class WindowLayout {
  public:
   static void save(const QMainWindow& window);
-  static void restore(QMainWindow& window);  ///< a layout of another version is left alone
+  static void restore(QMainWindow& window);
 };
 
 }  // namespace mien

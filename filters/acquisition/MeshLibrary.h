@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "MienAcquisitionModule.h"
+
+namespace mien {
+
+/// The version of the library that reads and decimates meshes, OpenMesh: "9.0".
+MIENACQUISITION_EXPORT std::string meshLibraryVersion();
+
+}  // namespace mien

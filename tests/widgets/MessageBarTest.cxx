@@ -1,0 +1,53 @@
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTreeWidget>
+
+#include "FaceModel.h"
+#include "MessageBar.h"
+#include "StudioFixture.h"
+
+namespace {
+
+using MessageBar = StudioFixture;
+
+TEST_F(MessageBar, AnErrorGoesWithTheNextSuccessAndStaysInTheLog) {
+  EXPECT_FALSE(window->openAnimation("no_such_file.fap"));
+  settle();
+  const QString said = message();
+  EXPECT_FALSE(said.isEmpty());
+  EXPECT_TRUE(window->openAnimation(writeLids(3, 25)));
+  settle();
+  EXPECT_EQ(message(), "");
+  const auto& log = find<mien::MessageBar>("messageBar")->log();
+  ASSERT_EQ(log.size(), 1u);
+  EXPECT_TRUE(log[0].isError);
+  EXPECT_EQ(log[0].sentence, said);
+}
+
+TEST_F(MessageBar, TheLogShowsTheNewestFirstWithDetailsAndIsCopied) {
+  auto* bar = find<mien::MessageBar>("messageBar");
+  bar->showNote("One was written.", "/somewhere/one");
+  find<QAction>("actionMessages")->trigger();
+  bar->showError("Two is damaged", "line 3");
+  auto* list = window->findChild<QTreeWidget*>("messageLogList");
+  ASSERT_EQ(list->topLevelItemCount(), 2);
+  EXPECT_EQ(list->topLevelItem(0)->text(2), "Two is damaged");
+  list->setCurrentItem(list->topLevelItem(1));
+  EXPECT_EQ(window->findChild<QPlainTextEdit*>("messageLogDetails")->toPlainText(),
+            "One was written.\n\n/somewhere/one");
+  window->findChild<QPushButton*>("messageLogCopy")->click();
+  const QString text = QGuiApplication::clipboard()->text();
+  EXPECT_LT(text.indexOf("One was written."), text.indexOf("Two is damaged"));
+}
+
+TEST_F(MessageBar, TheLogForgetsTheOldest) {
+  auto* bar = find<mien::MessageBar>("messageBar");
+  for (int i = 0; i < mien::MessageBar::mostKept + 20; ++i) bar->showNote(QString::number(i), QString());
+  EXPECT_EQ(bar->log().size(), static_cast<size_t>(mien::MessageBar::mostKept));
+  EXPECT_EQ(bar->log().front().sentence, "20");
+}
+
+}  // namespace

@@ -1,0 +1,112 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QSettings>
+#include <QTabBar>
+#include <QTemporaryDir>
+
+#include "SessionDocument.h"
+#include "StudioFixture.h"
+#include "Workspaces.h"
+
+namespace {
+
+class Workspaces : public StudioFixture {
+ protected:
+  QStringList shown() {
+    QStringList names;
+    for (const auto* dock : window->findChildren<QDockWidget*>())
+      if (!dock->isHidden()) names << dock->objectName();
+    names.sort();
+    return names;
+  }
+
+  void choose(int workspace) {
+    find<QAction>(QString("actionWorkspace%1").arg(workspace))->trigger();
+    settle();
+  }
+
+  QDockWidget* dock(const char* name) { return find<QDockWidget>(name); }
+};
+
+TEST_F(Workspaces, EachOpensItsDocks) {
+  const QStringList expected[] = {{"expressionDock", "fapDock", "surfaceDock"},
+                                  {"continuityDock", "expressionDock", "smoothingDock", "spectrumDock", "surfaceDock"},
+                                  {"deformationDock", "expressionDock", "fapDock", "vectorsDock"},
+                                  {"curvesDock", "expressionDock", "surfaceDock", "textureDock"}};
+  EXPECT_EQ(shown(), expected[0]);
+  for (int i : {1, 2, 3, 0}) {
+    choose(i + 1);
+    EXPECT_EQ(shown(), expected[i]) << i;
+    EXPECT_EQ(find<QTabBar>("workspaces")->currentIndex(), i);
+  }
+  find<QTabBar>("workspaces")->setCurrentIndex(1);
+  settle();
+  EXPECT_EQ(shown(), expected[1]);
+  EXPECT_TRUE(find<QAction>("actionWorkspace2")->isChecked());
+}
+
+TEST_F(Workspaces, EachKeepsWhatTheUserMadeOfItUntilItIsReset) {
+  choose(2);
+  dock("smoothingDock")->close();
+  window->addDockWidget(Qt::RightDockWidgetArea, dock("spectrumDock"));
+  const QStringList own = shown();
+  choose(4);
+  EXPECT_NE(shown(), own);
+  choose(2);
+  EXPECT_EQ(shown(), own);
+  EXPECT_EQ(window->dockWidgetArea(dock("spectrumDock")), Qt::RightDockWidgetArea);
+  find<QAction>("actionResetWorkspace")->trigger();
+  settle();
+  EXPECT_EQ(window->dockWidgetArea(dock("spectrumDock")), Qt::BottomDockWidgetArea);
+  EXPECT_FALSE(dock("smoothingDock")->isHidden());
+}
+
+/// What is beyond a window's edge cannot be used.
+TEST_F(Workspaces, AllFitIntoASmallScreen) {
+  for (int i = 1; i <= 4; ++i) {
+    choose(i);
+    EXPECT_LE(window->minimumSizeHint().width(), 1280) << i;
+    EXPECT_LE(window->minimumSizeHint().height(), 800) << i;
+    EXPECT_EQ(window->size(), QSize(1280, 800)) << i;
+    EXPECT_GE(find<QWidget>("faceView")->height(), 200) << i;
+  }
+}
+
+TEST_F(Workspaces, AllComeBackAtTheNextStart) {
+  QTemporaryDir folder;
+  QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
+  QCoreApplication::setOrganizationName("mien-test");
+  {
+    mien::StudioWindow first;
+    first.show();
+    first.findChild<QAction*>("actionWorkspace2")->trigger();
+    first.findChild<QDockWidget*>("smoothingDock")->close();
+    first.findChild<QAction*>("actionWorkspace3")->trigger();
+    first.close();
+  }
+  mien::StudioWindow second;
+  second.show();
+  const auto isHidden = [&](const char* name) { return second.findChild<QDockWidget*>(name)->isHidden(); };
+  EXPECT_EQ(second.findChild<QTabBar*>("workspaces")->currentIndex(), 2);
+  EXPECT_FALSE(isHidden("deformationDock"));
+  second.findChild<QAction*>("actionWorkspace2")->trigger();
+  EXPECT_TRUE(isHidden("smoothingDock"));
+  EXPECT_FALSE(isHidden("spectrumDock"));
+  QCoreApplication::setOrganizationName(QString());
+}
+
+TEST_F(Workspaces, ASessionKnowsWhichOneItWasMadeIn) {
+  QTemporaryDir folder;
+  const QString file = folder.filePath("deform.mien-session.json");
+  choose(3);
+  dock("vectorsDock")->close();
+  const QStringList own = shown();
+  ASSERT_TRUE(window->document().save(file));
+  choose(1);
+  ASSERT_TRUE(window->document().open(file));
+  settle();
+  EXPECT_EQ(find<QTabBar>("workspaces")->currentIndex(), 2);
+  EXPECT_EQ(shown(), own);
+}
+
+}  // namespace

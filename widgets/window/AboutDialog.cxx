@@ -1,0 +1,99 @@
+#include "AboutDialog.h"
+
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QFontDatabase>
+#include <QFormLayout>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <QVariant>
+
+#include "Citations.h"
+#include "LibraryVersions.h"
+#include "LicenceText.h"
+#include "SessionPart.h"
+
+namespace mien {
+
+namespace {
+
+constexpr int startWidth = 620, startHeight = 460;  // pixels
+
+QPlainTextEdit* readOnly(const QString& name, const std::string& text, QWidget* parent) {
+  auto* made = new QPlainTextEdit(QString::fromStdString(text), parent);
+  made->setObjectName(name);
+  made->setReadOnly(true);
+  made->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  return made;
+}
+
+}  // namespace
+
+AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent), pages_(new QTabWidget(this)) {
+  setObjectName("aboutDialog");
+  setWindowTitle(tr("About Mien Studio"));
+  resize(startWidth, startHeight);
+  pages_->setObjectName("aboutPages");
+  pages_->setProperty(notInSession, true);
+  auto* title = new QLabel(tr("<h2>Mien Studio</h2><p>A face of nine PDE surface patches between 29 boundary curves, "
+                              "animated by MPEG-4 FAPs "
+                              "and deformed by facial deformation tables.</p>"),
+                           this);
+  title->setWordWrap(true);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(title);
+  column->addWidget(pages_, 1);
+  column->addWidget(buttons);
+  addVersions();
+  addCitation();
+  addLicence();
+}
+
+void AboutDialog::addVersions() {
+  auto* box = new QWidget(pages_);
+  auto* form = new QFormLayout(box);
+  form->setContentsMargins(4, 10, 4, 4);
+  form->setHorizontalSpacing(18);
+  QStringList lines;
+  for (const auto& [library, version] : libraryVersions()) {
+    auto* value = new QLabel(version, box);
+    value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    value->setWordWrap(true);
+    form->addRow(library, value);
+    lines << library + ' ' + version;
+  }
+  addPage(box, tr("&Versions"), "aboutCopyVersions", tr("&Copy"), lines.join('\n'));
+}
+
+void AboutDialog::addCitation() {
+  addPage(readOnly("aboutCitations", Citations(), pages_), tr("C&itation"), "aboutCopyCitations", tr("&Copy as BibTeX"),
+          QString::fromStdString(Citations()));
+}
+
+void AboutDialog::addLicence() {
+  addPage(readOnly("aboutLicence", LicenceText(), pages_), tr("&Licence"), "aboutCopyLicence", tr("&Copy"),
+          QString::fromStdString(LicenceText()));
+}
+
+void AboutDialog::addPage(QWidget* content, const QString& title, const QString& copyName, const QString& copyText,
+                          const QString& copied) {
+  auto* page = new QWidget(pages_);
+  auto* copy = new QPushButton(copyText, page);
+  copy->setObjectName(copyName);
+  copy->setToolTip(tr("Takes this page's text to the clipboard"));
+  copy->setAutoDefault(false);
+  connect(copy, &QPushButton::clicked, this, [copied] { QGuiApplication::clipboard()->setText(copied); });
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 8, 0, 0);
+  column->addWidget(content, 1);
+  column->addWidget(copy, 0, Qt::AlignLeft);
+  pages_->addTab(page, title);
+}
+
+}  // namespace mien

@@ -1,0 +1,53 @@
+#include "LibraryVersions.h"
+
+#include <vtkVersion.h>
+
+#include <Eigen/Core>
+#include <QCoreApplication>
+#include <QObject>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QSysInfo>
+#include <nlohmann/json.hpp>
+
+#include "MeshLibrary.h"
+
+namespace mien {
+
+namespace {
+
+QString dotted(int major, int minor, int patch) {
+  return QString("%1.%2.%3").arg(major).arg(minor).arg(patch);
+}
+
+/// Of what draws the views, be it a graphics card or a program.
+QString graphics() {
+  QOffscreenSurface surface;
+  surface.create();
+  QOpenGLContext context;
+  if (!context.create() || !context.makeCurrent(&surface)) return QObject::tr("none");
+  const auto text = [&](GLenum name) {
+    return QString::fromLatin1(reinterpret_cast<const char*>(context.functions()->glGetString(name)));
+  };
+  const QString both = QString("%1, %2").arg(text(GL_RENDERER), text(GL_VERSION));
+  context.doneCurrent();
+  return both;
+}
+
+}  // namespace
+
+std::vector<std::pair<QString, QString>> libraryVersions() {
+  const QString mien = QCoreApplication::applicationVersion();
+  return {{"Mien", mien.isEmpty() ? QObject::tr("without a version") : mien},
+          {"VTK", vtkVersion::GetVTKVersion()},
+          {"Qt", qVersion()},
+          {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"OpenMesh", QString::fromStdString(meshLibraryVersion())},
+          {"JSON for Modern C++",
+           dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+          {"OpenGL", graphics()},
+          {QObject::tr("System"), QSysInfo::prettyProductName() + ", " + QSysInfo::currentCpuArchitecture()}};
+}
+
+}  // namespace mien

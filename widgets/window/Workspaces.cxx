@@ -1,0 +1,183 @@
+#include "Workspaces.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSignalBlocker>
+#include <QTabBar>
+#include <QVariant>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "Remembered.h"
+#include "SessionPart.h"
+
+namespace mien {
+
+namespace {
+
+constexpr int version = 2;  // of the docks; one more when their names change
+constexpr const char* currentKey = "window/workspace";
+constexpr int leftWidth = 350, leastBelow = 330;  // pixels
+constexpr double shareBelow = 0.4;                // of the window, for docks with a picture
+constexpr int stretching = 1000;                  // share of the dock that takes what is left
+
+QByteArray keyOf(int workspace) {
+  return "window/workspaces/" + QByteArray::number(workspace);
+}
+
+}  // namespace
+
+/// Docks at the left from top to bottom, and below the face in tabs, the first one in front.
+struct Workspaces::Workspace {
+  const char *title, *mnemonic, *purpose;
+  QStringList left, below;
+};
+
+const std::array<Workspaces::Workspace, Workspaces::count>& Workspaces::all() {
+  static const std::array<Workspace, count> workspaces = {{{QT_TR_NOOP("Animate"),
+                                                            QT_TR_NOOP("&Animate"),
+                                                            QT_TR_NOOP("Expressions, FAPs and .fap files"),
+                                                            {"expressionDock", "fapDock", "surfaceDock"},
+                                                            {}},
+                                                           {QT_TR_NOOP("Surface"),
+                                                            QT_TR_NOOP("&Surface"),
+                                                            QT_TR_NOOP("How scheme, a and N shape the surface"),
+                                                            {"surfaceDock", "expressionDock"},
+                                                            {"spectrumDock", "smoothingDock", "continuityDock"}},
+                                                           {QT_TR_NOOP("Deform"),
+                                                            QT_TR_NOOP("&Deform"),
+                                                            QT_TR_NOOP("Facial deformation tables and motion"),
+                                                            {"expressionDock", "fapDock"},
+                                                            {"deformationDock", "vectorsDock"}},
+                                                           {QT_TR_NOOP("Acquire"),
+                                                            QT_TR_NOOP("A&cquire"),
+                                                            QT_TR_NOOP("Curves of a scan, and textures"),
+                                                            {"surfaceDock", "expressionDock"},
+                                                            {"curvesDock", "textureDock"}}}};
+  return workspaces;
+}
+
+Workspaces::Workspaces(QMainWindow* window)
+    : QObject(window), window_(window), bar_(new QTabBar(window)), first_(window->saveState(version)) {
+  setObjectName("workspaceKeeper");
+  buildBar();
+}
+
+QString Workspaces::title(int workspace) {
+  return tr(all()[workspace].title);
+}
+
+void Workspaces::buildBar() {
+  bar_->setObjectName("workspaces");
+  bar_->setProperty(notInSession, true);  // the arrangement itself is
+  bar_->setDrawBase(false);
+  bar_->setExpanding(false);
+  bar_->setUsesScrollButtons(false);
+  bar_->setFocusPolicy(Qt::TabFocus);
+  bar_->setToolTip(tr("Workspaces: which docks are open, and where"));
+  bar_->setAccessibleName(tr("Workspaces"));
+  for (int i = 0; i < count; ++i) {
+    bar_->addTab(title(i));
+    bar_->setTabToolTip(i, tr("%1 (Ctrl+F%2)").arg(tr(all()[i].purpose)).arg(i + 1));
+  }
+  connect(bar_, &QTabBar::currentChanged, this, &Workspaces::choose);
+}
+
+void Workspaces::addTo(QMenu* menu) {
+  auto* group = new QActionGroup(this);
+  for (int i = 0; i < count; ++i) {
+    QAction* action = menu->addAction(tr(all()[i].mnemonic), this, [this, i] { choose(i); });
+    action->setObjectName(QString("actionWorkspace%1").arg(i + 1));
+    action->setProperty(notInSession, true);
+    action->setCheckable(true);
+    action->setShortcut(QKeySequence(Qt::CTRL | Qt::Key(Qt::Key_F1 + i)));
+    actions_[i] = group->addAction(action);
+  }
+  menu->addSeparator();
+  menu->addAction(tr("&Reset this workspace"), this, &Workspaces::reset)->setObjectName("actionResetWorkspace");
+  follow();
+}
+
+void Workspaces::choose(int workspace) {
+  if (workspace != current_ && workspace >= 0) {
+    kept_[current_] = window_->saveState(version);
+    show(workspace);
+  }
+  follow();
+}
+
+void Workspaces::reset() {
+  kept_[current_].clear();
+  arrange(current_);
+}
+
+void Workspaces::show(int workspace) {
+  current_ = workspace;
+  if (kept_[workspace].isEmpty() || !window_->restoreState(kept_[workspace], version)) arrange(workspace);
+}
+
+QList<QDockWidget*> Workspaces::docks(const QStringList& names) const {
+  QList<QDockWidget*> found;
+  for (const QString& name : names)
+    if (auto* dock = window_->findChild<QDockWidget*>(name)) found << dock;
+  return found;
+}
+
+void Workspaces::arrange(int workspace) {
+  const QList<QDockWidget*> left = docks(all()[workspace].left), below = docks(all()[workspace].below);
+  window_->restoreState(first_, version);
+  for (int i = 1; i < below.size(); ++i) window_->tabifyDockWidget(below[i - 1], below[i]);
+  for (auto* dock : window_->findChildren<QDockWidget*>())
+    dock->setVisible(left.contains(dock) || below.contains(dock));
+  for (int i = 1; i < left.size(); ++i) window_->splitDockWidget(left[i - 1], left[i], Qt::Vertical);
+  giveSizes(left, below);
+  if (!below.isEmpty()) below.front()->raise();
+}
+
+/// The last dock at the left takes what room the others do not need, or the table of FAPs, which has use for it.
+void Workspaces::giveSizes(const QList<QDockWidget*>& left, const QList<QDockWidget*>& below) {
+  QList<int> widths, heights;
+  const auto hungry =
+      std::find_if(left.begin(), left.end(), [](auto* dock) { return dock->objectName() == "fapDock"; });
+  for (auto it = left.begin(); it != left.end(); ++it) {
+    widths << leftWidth;
+    heights << (it == hungry || (hungry == left.end() && *it == left.back()) ? stretching : 1);
+  }
+  window_->resizeDocks(left, widths, Qt::Horizontal);
+  window_->resizeDocks(left, heights, Qt::Vertical);
+  const int height = std::max(leastBelow, static_cast<int>(shareBelow * window_->height()));
+  if (!below.isEmpty()) window_->resizeDocks({below.front()}, {height}, Qt::Vertical);
+}
+
+void Workspaces::follow() {
+  const QSignalBlocker quiet(bar_);
+  bar_->setCurrentIndex(current_);
+  for (int i = 0; i < count; ++i)
+    if (actions_[i]) actions_[i]->setChecked(i == current_);
+}
+
+nlohmann::json Workspaces::sessionState() const {
+  return all()[current_].title;
+}
+
+void Workspaces::restoreSession(const nlohmann::json& state) {
+  for (int i = 0; i < count; ++i)
+    if (state == all()[i].title) current_ = i;
+  follow();
+}
+
+void Workspaces::save() const {
+  Remembered::set(currentKey, current_);
+  for (int i = 0; i < count; ++i) Remembered::set(keyOf(i), i == current_ ? window_->saveState(version) : kept_[i]);
+}
+
+void Workspaces::restore() {
+  for (int i = 0; i < count; ++i) kept_[i] = Remembered::value(keyOf(i), QByteArray()).toByteArray();
+  show(std::clamp(Remembered::value(currentKey, 0).toInt(), 0, count - 1));
+  follow();
+}
+
+}  // namespace mien
