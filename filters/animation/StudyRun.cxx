@@ -172,7 +172,7 @@ struct StudyRun::Internals {
     std::string bytes;
     const std::string fault = readTextFile(file, largestFile, bytes);
     if (!fault.empty()) return file + ":" + fault;
-    contents += std::to_string(hashOf(bytes)) + "\n";
+    contents += hashText(bytes) + "\n";
     return {};
   }
 

@@ -160,26 +160,27 @@ TEST(CaseMeasures, AreThoseOfTheirOwnClasses) {
   EXPECT_NEAR(value("motion_max_mm"), 3.0, 1e-9);
 }
 
-TEST(CaseMeasures, ThatAreNotWantedChangeNothing) {
+CaseValues measuredAtRest(const Study& study) {
   const FaceCurves face = SyntheticFace::make(40);
+  return CaseMeasures(study, StudyCases(study).at(0), face, face).measure(study.smoothing[0]);
+}
+
+TEST(CaseMeasures, ThatAreNotWantedChangeNothing) {
   Study study;
   study.smoothing = {0.7};
-  const StudyCases cases(study);
-  const CaseValues whole = CaseMeasures(study, cases.at(0), face, face).measure(0.7);
+  const CaseValues whole = measuredAtRest(study);
   const std::vector<std::string> all = study.measures;
   for (std::size_t i = 0; i < all.size(); ++i) {
     study.measures = {all[i]};
-    const double alone = CaseMeasures(study, cases.at(0), face, face).measure(0.7).values.at(0);
+    const double alone = measuredAtRest(study).values.at(0);
     EXPECT_EQ(alone, whole.values[i]) << all[i];
   }
 }
 
 TEST(CaseMeasures, WithoutASurfaceHaveAReason) {
-  const FaceCurves face = SyntheticFace::make(40);
   Study study;
   study.harmonics = {21};
-  const StudyCases cases(study);
-  const CaseValues measured = CaseMeasures(study, cases.at(0), face, face).measure(1.0);
+  const CaseValues measured = measuredAtRest(study);
   EXPECT_NE(measured.reason.find("N = 21"), std::string::npos) << measured.reason;
   for (const double value : measured.values) EXPECT_TRUE(std::isnan(value));
 }

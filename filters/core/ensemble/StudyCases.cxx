@@ -1,7 +1,6 @@
 #include "StudyCases.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "Checksum.h"
 #include "NumberText.h"
@@ -66,9 +65,7 @@ std::string StudyCases::idOf(const StudyCase& one) const {
         static_cast<double>(study_.rows), static_cast<double>(study_.columns), study_.referenceSmoothing})
     text += numberText(number) + "\n";
   text += pose.isFrame ? study_.fapFile + "\n" + numberText(pose.frame) : pose.expression;
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hashOf(text)));
-  return digits;
+  return hashText(text);
 }
 
 }  // namespace mien

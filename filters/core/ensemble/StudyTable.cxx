@@ -1,7 +1,6 @@
 #include "StudyTable.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "Checksum.h"
 #include "NumberText.h"
@@ -38,9 +37,7 @@ bool takeNumber(std::string_view& line) {
 }
 
 std::string headOf(const Study& study, std::int64_t cases, std::string_view contents) {
-  char identity[17];
-  const std::string all = writeStudy(study) + "\n" + std::string(contents);
-  std::snprintf(identity, sizeof identity, "%016llx", static_cast<unsigned long long>(hashOf(all)));
+  const std::string identity = hashText(writeStudy(study) + "\n" + std::string(contents));
   std::string head = "# mien ensemble table, version " + std::to_string(StudyTable::version) + ", study " + identity +
                      ", " + std::to_string(cases) + " cases, lengths in mm, angles in degrees\n" +
                      "case,id,face,scheme,a,harmonics,expression,frame";

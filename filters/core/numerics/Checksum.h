@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace mien {
@@ -10,5 +11,8 @@ unsigned checksumOf(std::string_view bytes);
 
 /// FNV-1a of 64 bits (Fowler, Noll and Vo): tells many texts apart where CRC-32 would have two alike.
 std::uint64_t hashOf(std::string_view bytes);
+
+/// That as 16 hexadecimal digits.
+std::string hashText(std::string_view bytes);
 
 }  // namespace mien
