@@ -107,6 +107,8 @@ class Measurements {
     const std::string fault = measureScan(this->Options, result.scan, measured, progress);
     result = measured.result;
     if (!fault.empty()) return fault;
+    if (!this->Options.mean)  // as landmarks of the scan are given, so that they can be given back
+      measured.landmarks.points = result.report.scanToFace.inverse().applied(measured.landmarks.points);
     this->Landmarks.points += measured.landmarks.points / static_cast<double>(this->Options.scans.size());
     this->Curves = measured.curves;
     this->Scan = measured.scan;

@@ -18,8 +18,8 @@ struct AcquireOptions {
   std::vector<std::string> scans;  ///< .ply, .obj, .stl, .off; one, or several with `mean`
   std::string landmarkFile;    ///< CSV, see LandmarkTable.h; serves all scans; empty: landmarks are found by fitting
   std::string outputFile;      ///< .vtp
-  std::string landmarkOutput;  ///< .csv for the landmarks in the frame of the curves (with `mean` their symmetric
-                               ///< mean); empty: none
+  std::string landmarkOutput;  ///< .csv for the landmarks in the scan's own frame and unit (with `mean` their symmetric
+                               ///< mean in mm, in the frame of the curves); empty: none
   std::string scanOutput;      ///< .vtp for the scan in the frame of the curves; empty: none
   bool mean = false;           ///< the symmetric mean of all scans instead of one scan as it is
   bool report = false;         ///< whether distances are measured and landmarks compared

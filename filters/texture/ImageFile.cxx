@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "PipelineErrors.h"
+#include "TIFFImage.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImageFlip.h"
@@ -61,6 +62,7 @@ std::string describePNGFault(const std::string& name, std::int64_t bytes) {
   png_image head{};
   head.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_file(&head, name.c_str()) == 0) return damaged;
+  if (head.format & PNG_FORMAT_FLAG_COLORMAP) head.format = PNG_FORMAT_RGBA;  // a palette, which VTK resolves
   const std::string fault = describeSizeFault(head.width, head.height, PNG_IMAGE_PIXEL_SIZE(head.format), bytes);
   bool sound = fault.empty();
   if (sound) {
@@ -81,6 +83,8 @@ std::string describeHeadFault(vtkImageReader2* reader, const std::string& name, 
   if (!errors.first().empty()) return damaged;
   const int* extent = reader->GetDataExtent();
   if (extent[5] > extent[4]) return "it has several pages; save the one with the face as a file of its own";
+  if (reader->IsA("vtkJPEGReader") && reader->GetNumberOfScalarComponents() == 4)
+    return "it is in the colours of print (CMYK); save it in RGB";
   const std::int64_t pixelBytes =
       reader->GetNumberOfScalarComponents() * vtkDataArray::GetDataTypeSize(reader->GetDataScalarType());
   return describeSizeFault(std::int64_t(extent[1]) - extent[0] + 1, std::int64_t(extent[3]) - extent[2] + 1, pixelBytes,
@@ -97,6 +101,7 @@ std::string read(const std::string& name, vtkImageData* image) {
   errors.observe(reader);
   const std::string fault = describeHeadFault(reader, name, bytes, errors);
   if (!fault.empty()) return fault;
+  if (reader->IsA("vtkTIFFReader") && !isPlainTIFF(name)) return readTIFF(name, image) ? "" : damaged;
   reader->Update();
   vtkImageData* read = reader->GetOutput();
   if (!errors.first().empty() || reader->GetErrorCode() != 0 || read->GetNumberOfPoints() == 0 ||

@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <fstream>
 
 #include "Acquire.h"
 #include "BoundaryCurveData.h"
+#include "LandmarkTable.h"
 #include "SyntheticHead.h"
 #include "TemporaryFolder.h"
+#include "TextFile.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -99,6 +102,37 @@ TEST(Acquire, SaysWhenTheOutputCannotBeWritten) {
   options.landmarkFile = writeLandmarks("landmarks.csv");
   options.outputFile = "/no/such/folder/face.vtp";
   EXPECT_EQ(mien::acquire(options).rfind(options.outputFile + ": ", 0), 0u);
+}
+
+/// Landmarks of a scan in metres that was turned and shifted come back as they were given, so that they can be mended
+/// and given again.
+TEST(Acquire, LandmarksAreWrittenInTheFrameOfTheScan) {
+  const Eigen::Matrix3d turn(Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, 2, 3).normalized()));
+  const mien::Similarity moved = {0.001, turn, {0.4, -0.2, 0.1}};
+  const mien::TriangleMesh mesh = ellipticHead().mesh();
+  const mien::FaceLandmarks landmarks = ellipticHead().landmarks();
+  mien::AcquireOptions options;
+  options.scans = {temporary("turned.obj")};
+  options.landmarkFile = temporary("turned.csv");
+  std::ofstream scan(options.scans[0]), table(options.landmarkFile);
+  scan.precision(15);
+  table.precision(15);
+  for (int i = 0; i < mesh.vertices.rows(); ++i)
+    scan << "v " << moved(mesh.vertices.row(i).transpose()).transpose() << "\n";
+  for (int i = 0; i < mesh.triangles.rows(); ++i) scan << "f " << mesh.triangles.row(i).array() + 1 << "\n";
+  table << "landmark,x,y,z\n";
+  for (int i = 0; i < 68; ++i) {
+    const Eigen::Vector3d place = moved(landmarks[i]);
+    table << i << "," << place.x() << "," << place.y() << "," << place.z() << "\n";
+  }
+  scan.close();
+  table.close();
+  options.outputFile = temporary("turned.vtp");
+  options.landmarkOutput = temporary("again.csv");
+  ASSERT_EQ(mien::acquire(options), "");
+  mien::LandmarkTable again;
+  ASSERT_EQ(mien::parseLandmarks(readTextFile(options.landmarkOutput), again), "");
+  for (int i = 0; i < 68; ++i) EXPECT_LT((again.positions[i] - moved(landmarks[i])).norm(), 1e-8) << i;
 }
 
 TEST(Acquire, WritesAllFilesOrNone) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "CommaText.h"
 #include "FaceFiles.h"
 #include "FaceTexture.h"
@@ -17,6 +19,7 @@
 #include "vtkJPEGWriter.h"
 #include "vtkPLYReader.h"
 #include "vtkPNGWriter.h"
+#include "vtkPointData.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTIFFWriter.h"
 
@@ -278,6 +281,26 @@ TEST(ImageFile, ReadsTheKindsOfPicturesUpright) {
       EXPECT_NEAR(scale * read->GetScalarComponentAsDouble(10, y, 0, 0), image->GetScalarComponentAsDouble(10, y, 0, 0),
                   8.0)
           << name << ", row " << y;
+  }
+}
+
+/// Alpha, and colours of 16 bits: what Mien writes itself, and cameras and editors do.
+TEST(ImageFile, ReadsWholeColoursOfTIFFs) {
+  const TemporaryFolder folder;
+  for (const auto& [type, most, components] :
+       {std::tuple{VTK_UNSIGNED_CHAR, 255.0, 4}, {VTK_UNSIGNED_SHORT, 65535.0, 3}, {VTK_UNSIGNED_SHORT, 65535.0, 4}}) {
+    const auto image = wavyImage(40, 30, type, components, most);
+    for (vtkIdType i = 0; components == 4 && i < 40 * 30; ++i)
+      image->GetPointData()->GetScalars()->SetComponent(i, 3, most);
+    write<vtkTIFFWriter>(image, folder.file("a.tif"));
+    vtkNew<vtkImageData> read;
+    ASSERT_EQ(mien::readImageFile(folder.file("a.tif"), read), "");
+    ASSERT_EQ(read->GetNumberOfScalarComponents(), components);
+    vtkDataArray *was = image->GetPointData()->GetScalars(), *is = read->GetPointData()->GetScalars();
+    ASSERT_EQ(is->GetNumberOfTuples(), was->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < is->GetNumberOfTuples(); ++i)
+      for (int c = 0; c < components; ++c)
+        ASSERT_NEAR(is->GetComponent(i, c) / 255.0, was->GetComponent(i, c) / most, 1.0 / 255.0) << i << " " << c;
   }
 }
 

@@ -72,7 +72,8 @@ ContinuityPanel::ContinuityPanel(FaceModel* model, FaceView* view, QWidget* pare
   column->addWidget(controls());
   column->addWidget(new FlipBox(table_, figure_, 1, 1, this), 1);
   connectControls();
-  new LiveUpdate(model, this, [this] { refresh(); });
+  new LiveUpdate(
+      model, this, [this] { refresh(); }, [this] { return overlay_->isShown(); });
 }
 
 ContinuityPanel::~ContinuityPanel() = default;

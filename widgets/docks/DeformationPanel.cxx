@@ -75,7 +75,8 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
   column->addWidget(fitRow());
   column->addWidget(new FlipBox(coefficientColumn(), expressionColumn(), 5, 2, this), 1);
   connectControls();
-  new LiveUpdate(model, this, [this] { refresh(); });
+  new LiveUpdate(
+      model, this, [this] { refresh(); }, [this] { return overlay_->isShown(); });
 }
 
 DeformationPanel::~DeformationPanel() = default;

@@ -98,7 +98,8 @@ SpectrumPanel::SpectrumPanel(FaceModel* model, FaceView* view, QWidget* parent)
   column->addWidget(figure_, 1);
   column->addWidget(numbers_);
   connectControls();
-  new LiveUpdate(model, this, [this] { refresh(); });
+  new LiveUpdate(
+      model, this, [this] { refresh(); }, [this] { return overlay_->isShown(); });
 }
 
 SpectrumPanel::~SpectrumPanel() = default;

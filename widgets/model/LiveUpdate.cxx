@@ -14,8 +14,12 @@ constexpr int interval = 50;  // ms: quicker changes of numbers and charts canno
 
 }  // namespace
 
-LiveUpdate::LiveUpdate(FaceModel* model, QWidget* dock, std::function<void()> refresh)
-    : QObject(dock), dock_(dock), refresh_(std::move(refresh)), timer_(new QTimer(this)) {
+LiveUpdate::LiveUpdate(FaceModel* model, QWidget* dock, std::function<void()> refresh, std::function<bool()> isOnFace)
+    : QObject(dock),
+      dock_(dock),
+      refresh_(std::move(refresh)),
+      isOnFace_(std::move(isOnFace)),
+      timer_(new QTimer(this)) {
   timer_->setSingleShot(true);
   timer_->setInterval(interval);
   connect(timer_, &QTimer::timeout, this, &LiveUpdate::run);
@@ -23,10 +27,14 @@ LiveUpdate::LiveUpdate(FaceModel* model, QWidget* dock, std::function<void()> re
   dock_->installEventFilter(this);
 }
 
+bool LiveUpdate::isSeen() const {
+  return dock_->isVisible() || (isOnFace_ && isOnFace_());
+}
+
 /// The timer is not started anew by every request, or a slider that moves all the time would put it off for ever.
 void LiveUpdate::request() {
   outdated_ = true;
-  if (dock_->isVisible() && !timer_->isActive()) timer_->start();
+  if (isSeen() && !timer_->isActive()) timer_->start();
 }
 
 bool LiveUpdate::eventFilter(QObject* watched, QEvent* event) {
@@ -35,7 +43,7 @@ bool LiveUpdate::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void LiveUpdate::run() {
-  if (!dock_->isVisible()) return;
+  if (!isSeen()) return;
   outdated_ = false;
   refresh_();
 }

@@ -11,11 +11,12 @@ namespace mien {
 class FaceModel;
 
 /// Keeps a dock up to date with the face: at most once in an interval while sliders move, and not at all while nobody
-/// sees the dock.
+/// sees the dock or what it shows on the face.
 class LiveUpdate : public QObject {
   Q_OBJECT
  public:
-  LiveUpdate(FaceModel* model, QWidget* dock, std::function<void()> refresh);
+  /// @param isOnFace  whether the dock shows something on the face, which is seen without the dock too
+  LiveUpdate(FaceModel* model, QWidget* dock, std::function<void()> refresh, std::function<bool()> isOnFace = {});
 
  public slots:
   void request();
@@ -25,9 +26,11 @@ class LiveUpdate : public QObject {
 
  private:
   void run();
+  bool isSeen() const;
 
   QWidget* dock_;
   std::function<void()> refresh_;
+  std::function<bool()> isOnFace_;
   QTimer* timer_;
   bool outdated_ = true;
 };

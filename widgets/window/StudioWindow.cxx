@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QTabBar>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -92,7 +93,7 @@ StudioWindow::StudioWindow()
   connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
   connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
   connect(model_, &FaceModel::recovered, messages_, &MessageBar::clearError);
-  resize(startWidth, startHeight);
+  resize(QSize(startWidth, startHeight).boundedTo(screen()->availableSize()));
   WindowLayout::restore(*this);
   workspaces_->restore();
   keeper_->history()->clear();

@@ -183,7 +183,10 @@ void addAcquireCommand(CLI::App& program) {
                     "Print unit, pose, residuals, distance to the scan, holes and crossings");
   command->add_flag("--json", options->json, "The report as JSON");
   command->add_option("-o,--output", acquire.outputFile, "File to write: .vtp")->required();
-  command->add_option("--landmark-output", acquire.landmarkOutput, "The landmarks in the frame of the curves, .csv");
+  command->add_option(
+      "--landmark-output", acquire.landmarkOutput,
+      "The landmarks in the scan's own frame and unit, to be given as --landmarks, .csv; with --mean in that of the "
+      "curves");
   command->add_option("--scan-output", acquire.scanOutput, "The scan in the frame of the curves, mm, .vtp");
   command->footer(
       "Landmarks are the 68 of Multi-PIE, numbered 0 .. 67 (0-16 jaw, 17-26 brows, 27-35 nose, 36-47 eyes, 48-67 lips, "
