@@ -156,6 +156,17 @@ void run(const Options& given) {
   deliver(given, results);
 }
 
+constexpr const char* landmarkHelp =
+    "Landmarks are the 68 of Multi-PIE, numbered 0 .. 67 (0-16 jaw, 17-26 brows, 27-35 nose, 36-47 eyes, 48-67 lips, "
+    "from the\n"
+    "subject's right). Twelve must be given, by number or name, the others are completed:\n"
+    "  8 chin, 27 nose_bridge, 30 nose_tip, 33 nose_base, 36 right_eye_outer, 39 right_eye_inner, 42 "
+    "left_eye_inner,\n"
+    "  45 left_eye_outer, 48 right_mouth_corner, 51 upper_lip, 54 left_mouth_corner, 57 lower_lip.\n"
+    "Example: mien acquire anna.ply -o anna.vtp --report\n"
+    "         mien acquire anna.obj --landmarks anna68.csv --units cm -o anna.vtp\n"
+    "         mien acquire heads/*.ply --landmarks landmarks68.csv --mean -o mean.vtp";
+
 }  // namespace
 
 void addAcquireCommand(CLI::App& program) {
@@ -188,16 +199,7 @@ void addAcquireCommand(CLI::App& program) {
       "The landmarks in the scan's own frame and unit, to be given as --landmarks, .csv; with --mean in that of the "
       "curves");
   command->add_option("--scan-output", acquire.scanOutput, "The scan in the frame of the curves, mm, .vtp");
-  command->footer(
-      "Landmarks are the 68 of Multi-PIE, numbered 0 .. 67 (0-16 jaw, 17-26 brows, 27-35 nose, 36-47 eyes, 48-67 lips, "
-      "from the\n"
-      "subject's right). Twelve must be given, by number or name, the others are completed:\n"
-      "  8 chin, 27 nose_bridge, 30 nose_tip, 33 nose_base, 36 right_eye_outer, 39 right_eye_inner, 42 "
-      "left_eye_inner,\n"
-      "  45 left_eye_outer, 48 right_mouth_corner, 51 upper_lip, 54 left_mouth_corner, 57 lower_lip.\n"
-      "Example: mien acquire anna.ply -o anna.vtp --report\n"
-      "         mien acquire anna.obj --landmarks anna68.csv --units cm -o anna.vtp\n"
-      "         mien acquire heads/*.ply --landmarks landmarks68.csv --mean -o mean.vtp");
+  command->footer(landmarkHelp);
   command->callback([options] { run(*options); });
 }
 
