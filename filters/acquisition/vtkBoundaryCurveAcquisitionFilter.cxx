@@ -119,6 +119,7 @@ int vtkBoundaryCurveAcquisitionFilter::RequestData(vtkInformation*, vtkInformati
   mien::writeFaceCurves(this->Acquired->face, vtkPolyData::GetData(outputs, 0));
   writeMotion(this->Acquired->report.scanToFace, vtkPolyData::GetData(outputs, 0)->GetFieldData());
   mien::writeTriangleMesh(this->Acquired->mesh, vtkPolyData::GetData(outputs, 1));
+  mien::keepInFirstPiece(outputs);
   return 1;
 }
 

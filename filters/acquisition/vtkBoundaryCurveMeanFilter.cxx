@@ -43,6 +43,7 @@ int vtkBoundaryCurveMeanFilter::RequestUpdateExtent(vtkInformation*, vtkInformat
 
 int vtkBoundaryCurveMeanFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
                                             vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(outputs->GetInformationObject(0))) return 1;
   std::vector<mien::FaceCurves> faces;
   mien::FaceCurves mean;
   std::string fault = readFaces(inputs[0], faces);

@@ -81,6 +81,7 @@ int vtkLevelOfDetailFilter::RequestUpdateExtent(vtkInformation* request, vtkInfo
 }
 
 int vtkLevelOfDetailFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(outputs->GetInformationObject(0))) return 1;
   mien::FaceCurves face;
   if (!this->ReadInput(inputs, face)) return 0;
   mien::DetailOptions options;

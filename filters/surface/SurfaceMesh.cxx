@@ -10,6 +10,7 @@
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOrderedGeometryFilter.h"
@@ -95,6 +96,15 @@ void requestWhole(vtkInformation* input) {
   input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
   if (input->Has(Pipeline::WHOLE_EXTENT()))
     input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+}
+
+bool isLaterPiece(vtkInformation* output) {
+  return output->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
+}
+
+void keepInFirstPiece(vtkInformationVector* outputs) {
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    if (isLaterPiece(outputs->GetInformationObject(port))) vtkDataObject::GetData(outputs, port)->Initialize();
 }
 
 void offerGrid(vtkInformation* output, int rows, int columns) {

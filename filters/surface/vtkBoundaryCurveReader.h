@@ -26,6 +26,10 @@ class MIENSURFACE_EXPORT vtkBoundaryCurveReader : public vtkPolyDataAlgorithm {
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  /** Whether a file holds boundary curves without a fault: 1 or 0, in silence. Files beyond 64 MB are not looked into.
+   */
+  static int CanReadFile(const char* fileName);
+
  protected:
   vtkBoundaryCurveReader();
   ~vtkBoundaryCurveReader() override;

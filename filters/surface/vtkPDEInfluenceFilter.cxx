@@ -5,6 +5,7 @@
 
 #include "FaceCurves.h"
 #include "SurfaceInfluence.h"
+#include "SurfaceMesh.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -156,7 +157,8 @@ int vtkPDEInfluenceFilter::FillOutputs(const mien::InfluenceGrid& influence, con
   std::copy(widths, widths + 4, this->Impl->halfWidths);
   if (grid->GetNumberOfPoints() > 0)
     grid->GetPointData()->AddArray(influenceArray(influence.values, this->Direction, grid));
-  fillProfile(profile, vtkTable::GetData(outputs, portOfProfile));
+  if (!mien::isLaterPiece(outputs->GetInformationObject(portOfProfile)))
+    fillProfile(profile, vtkTable::GetData(outputs, portOfProfile));
   return 1;
 }
 

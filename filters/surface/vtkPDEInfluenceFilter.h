@@ -65,6 +65,7 @@ class MIENSURFACE_EXPORT vtkPDEInfluenceFilter : public vtkPDEFaceFilter {
   vtkPDEInfluenceFilter();
   ~vtkPDEInfluenceFilter() override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  bool IsMadeInParts() const override { return false; }
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

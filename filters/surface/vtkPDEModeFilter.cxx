@@ -4,6 +4,7 @@
 
 #include "FaceCurves.h"
 #include "ModeSpectrum.h"
+#include "SurfaceMesh.h"
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
@@ -149,7 +150,7 @@ int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   }
   if (output->GetNumberOfPoints() > 0)
     addContribution(spectrum.contribution(this->Mode < 0 ? options.modes + 1 : this->Mode), output);
-  fillTable(measures, vtkTable::GetData(outputs, 1));
+  if (!mien::isLaterPiece(outputs->GetInformationObject(1))) fillTable(measures, vtkTable::GetData(outputs, 1));
   return 1;
 }
 

@@ -56,6 +56,7 @@ class MIENSURFACE_EXPORT vtkPDEModeFilter : public vtkPDEFaceFilter {
   vtkPDEModeFilter();
   ~vtkPDEModeFilter() override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  bool IsMadeInParts() const override { return false; }
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

@@ -184,6 +184,7 @@ mien::SmoothingSweepOptions vtkPDEParameterSweep::MakeSweep() const {
 
 int vtkPDEParameterSweep::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
   this->Impl->breakdowns.clear();
+  if (mien::isLaterPiece(outputs->GetInformationObject(0))) return 1;
   mien::FaceCurves face;
   if (!this->ReadCurves(inputs, face)) return 0;
   mien::SmoothingSweepOptions sweep = this->MakeSweep();

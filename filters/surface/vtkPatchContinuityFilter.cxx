@@ -4,6 +4,7 @@
 
 #include "FaceCurves.h"
 #include "FaceSeams.h"
+#include "SurfaceMesh.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -187,7 +188,7 @@ int vtkPatchContinuityFilter::RequestData(vtkInformation*, vtkInformationVector*
   const int pieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
   const auto share = [&](int i) { return static_cast<int>(static_cast<long long>(FaceSeams::seamCount) * i / pieces); };
   SeamLines{seams, share(piece), share(piece + 1)}.fill(vtkPolyData::GetData(outputs, 0));
-  fillSummary(seams, vtkTable::GetData(outputs, 1));
+  if (!mien::isLaterPiece(outputs->GetInformationObject(1))) fillSummary(seams, vtkTable::GetData(outputs, 1));
   return 1;
 }
 

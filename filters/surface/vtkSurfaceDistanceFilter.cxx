@@ -202,6 +202,7 @@ int vtkSurfaceDistanceFilter::RequestData(vtkInformation*, vtkInformationVector*
   this->Impl->summaries = summaries;
   for (int port = 0; port < 2; ++port) fillOutput(sides[port], vtkPolyData::GetData(outputs, port));
   fillTable(summaries, vtkTable::GetData(outputs, portOfTable));
+  mien::keepInFirstPiece(outputs);
   return 1;
 }
 
