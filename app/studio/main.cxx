@@ -59,8 +59,11 @@ void read(QCommandLineParser& arguments, const Options& options, const QCoreAppl
   arguments.setApplicationDescription("Shows and animates a PDE face.");
   arguments.addPositionalArgument(
       "FILE",
-      "A facial animation (.fap, .csv), a session or a table to open; - plays a .fap stream from standard input.",
-      "[FILE]");
+      "What to open, one after the other: animations .fap .csv, sessions .json, tables .csv .json, curves .vtp .mienz, "
+      "scans .ply .obj "
+      ".stl .off, photographs .png .jpg .tif with their mesh or landmarks .csv; - plays a .fap stream from standard "
+      "input.",
+      "[FILE..]");
   arguments.addOptions({options.play, options.table, options.state, options.picture});
   arguments.addHelpOption();
   arguments.addVersionOption();
@@ -79,7 +82,8 @@ bool openFiles(mien::StudioWindow& window, const QCommandLineParser& arguments, 
   if (!files.isEmpty() && files.first() == "-") {
     window.playStream(0);
   } else if (!files.isEmpty()) {
-    if (!window.openFile(files.first())) return false;
+    for (const QString& file : files)
+      if (!window.openFile(file)) return false;
     if (arguments.isSet(options.play)) window.player().play();
   } else if (arguments.isSet(options.play)) {
     window.playDemonstration();

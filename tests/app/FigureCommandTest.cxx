@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
@@ -137,6 +138,28 @@ TEST(FigureCommand, OnlyFiguresOfAFaceNameIt) {
   for (const auto& [id, named] : {std::pair{"pde-1", true}, {"fdt-table-1", false}, {"pde-table-1", false}}) {
     run({id, "-o", folder.file("x.svg")});
     EXPECT_EQ(countOf(wordsOf(readTextFile(folder.file("x.svg"))), "Generic face") > 0, named) << id;
+  }
+}
+
+/// However wide the figure, the colours reach to the longest vector of all frames.
+TEST(FigureCommand, ThinnedArrowsKeepTheLongest) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("x.svg");
+  for (const std::string width : {"85", "100", "140", "170"}) {
+    run({"pde-9", "--width", width, "--frames", "26,66,139,223,279", "-o", file});
+    const std::string svg = readTextFile(file);
+    EXPECT_NE(svg.find(">20<"), std::string::npos) << "the end of the colours at " << width << " mm";
+  }
+}
+
+TEST(FigureCommand, WhatWouldBeCutIsRefusedWithTheWidthThatIsNeeded) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("x.svg");
+  for (const auto& [id, width] : {std::pair{"fdt-table-1", "84"}, {"pde-9", "60"}, {"pde-8", "50"}}) {
+    const Outcome result = runMien({"figure", id, "--width", width, "-o", file});
+    EXPECT_EQ(result.exitCode, 2) << id;
+    EXPECT_NE(result.errors.find("needs at least"), std::string::npos) << result.errors;
+    EXPECT_FALSE(std::filesystem::exists(file));
   }
 }
 

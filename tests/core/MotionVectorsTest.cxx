@@ -163,6 +163,28 @@ TEST(VectorSampling, EvenKeepsItsDistanceAndLeavesNoHoles) {
   }
 }
 
+/// Two bumps between points of the lattice: each summit is drawn, and so is no low one beside them.
+TEST(VectorSampling, EvenKeepsThePeaks) {
+  VectorSampling sampling;
+  ASSERT_EQ(sampling.parse("even:4mm"), "");
+  const auto places = lattice(50, 0.9);
+  Eigen::VectorXd lengths(2500);
+  const auto bump = [&](int i, int summit, double height) {
+    return height * std::exp(-(places.row(i) - places.row(summit)).squaredNorm());
+  };
+  const std::vector<int> before = sampling.choose(numbers(2500), places, 50);
+  for (const int summit : {50 * 20 + 13, 50 * 21 + 14, 50 * 22 + 12, 50 * 33 + 17}) {
+    const int other = 50 * 40 + 41, low = 50 * 5 + 44;
+    for (int i = 0; i < 2500; ++i) lengths[i] = bump(i, summit, 10.0) + bump(i, other, 7.0) + bump(i, low, 1.0);
+    const std::vector<int> chosen = sampling.choose(numbers(2500), places, 50, lengths);
+    for (const int peak : {summit, other}) EXPECT_TRUE(std::count(chosen.begin(), chosen.end(), peak)) << peak;
+    EXPECT_NEAR(static_cast<double>(chosen.size()) / before.size(), 1.0, 0.03);
+    for (size_t i = 0; i < chosen.size(); ++i)
+      for (size_t j = 0; j < i; ++j)
+        EXPECT_GE((places.row(chosen[i]) - places.row(chosen[j])).norm(), 3.0 * (1.0 - 1e-5));
+  }
+}
+
 TEST(VectorSampling, RefusesWhatItCannotRead) {
   VectorSampling sampling;
   for (const char* const text :

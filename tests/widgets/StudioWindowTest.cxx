@@ -222,11 +222,11 @@ TEST_F(StudioWindow, ADroppedFileIsTakenForWhatItHolds) {
   EXPECT_EQ(window->model().state().deformation.table, bent.toStdString());
   EXPECT_TRUE(message().startsWith("bent.csv bends the face")) << message().toStdString();
   drop(*window, write("points.csv", "landmark,vertex,x,y,z\n0,1225,-73,36,36\n"));
-  EXPECT_TRUE(message().contains("mien acquire")) << message().toStdString();
+  EXPECT_TRUE(message().contains("once a scan is opened")) << message().toStdString();
   drop(*window, write("markers.csv", "marker,neutral_x,neutral_y,expression_x,expression_y\npupil_left,1,2,3,4\n"));
   EXPECT_TRUE(message().contains("mien fdt fit")) << message().toStdString();
-  drop(*window, write("head.ply", "ply\nformat ascii 1.0\n"));
-  EXPECT_TRUE(message().contains("no animation and no table")) << message().toStdString();
+  drop(*window, write("figure.pdf", "%PDF-1.4\n"));
+  EXPECT_TRUE(message().contains("nothing that Mien Studio opens")) << message().toStdString();
   EXPECT_EQ(window->model().frameCount(), 0);
   drop(*window, write("faps.csv", "FAP19,FAP20\n0,0\n100,0\n"));
   EXPECT_EQ(window->model().frameCount(), 2);

@@ -4,8 +4,10 @@
 #include <QDir>
 #include <QImage>
 #include <QLabel>
+#include <algorithm>
 #include <cmath>
 
+#include "BackgroundTask.h"
 #include "FaceModel.h"
 #include "StudioFixture.h"
 #include "Theme.h"
@@ -25,11 +27,17 @@ class WindowPicture : public StudioFixture {
   QImage small() {
     drawViews();
     if (QWidget* focus = QApplication::focusWidget()) focus->clearFocus();
-    QTest::qWait(700);  // docks compute in the background
+    QTest::qWait(700);  // docks begin to compute in the background
+    EXPECT_TRUE(waitUntil([&] { return isIdle(); }));
     settle();
     const QImage whole = window->grab().toImage();
     return coarse(whole.scaled(width, height, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
                       .convertToFormat(QImage::Format_RGB888));
+  }
+
+  bool isIdle() const {
+    const auto tasks = window->findChildren<mien::BackgroundTask*>();
+    return std::none_of(tasks.begin(), tasks.end(), [](const mien::BackgroundTask* task) { return task->isRunning(); });
   }
 
   void workspace(int number) { find<QAction>(QString("actionWorkspace%1").arg(number))->trigger(); }

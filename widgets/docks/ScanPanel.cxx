@@ -31,7 +31,6 @@
 #include "FaceView.h"
 #include "FramedButton.h"
 #include "LengthUnit.h"
-#include "vtkBoundaryCurveReader.h"
 
 namespace mien {
 
@@ -296,12 +295,7 @@ bool ScanPanel::adopt(const QString& fileName) {
     emit model_->failed(QString::fromStdString(fault), QString());
     return false;
   }
-  model_->pipeline().neutralCurves()->Modified();  // it may have been read under this name before
-  model_->change([&](FaceState& state) {
-    state.curvesFile = fileName.toStdString();
-    state.edits.clear();
-  });
-  if (!model_->update()) return false;
+  if (!model_->openCurves(fileName)) return false;
   emit model_->remarked(tr("%1 was written and is the face now.").arg(QFileInfo(fileName).fileName()), fileName);
   return true;
 }

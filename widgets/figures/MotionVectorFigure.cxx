@@ -22,6 +22,7 @@ constexpr double keyGap = 2.5;          // mm, above the key
 constexpr double keyWidth = 62.0;       // mm, of a key beside the panels
 constexpr double besideGap = 4.0;       // mm, before it
 constexpr double arrowRoom = 0.085;     // longest arrow over width of a panel: neighbours still can be told apart
+constexpr double seriesRoom = 0.13;     // the same in a row of frames, where most of them move less than the longest
 constexpr double mostShape = 1.5;       // height over width of a panel
 constexpr double leastEqual = 0.01;     // of the longest vector: shorter ones have no arrow of equal length
 constexpr double leastFace = 8.0;       // mm, of a panel that the key leaves hardly any room
@@ -187,7 +188,7 @@ void MotionVectorFigure::layOut() {
   const int columns = columnCount(static_cast<int>(panels_.size())),
             rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
   const double cellWidth = this->cellWidth(columns);
-  chooseScale(arrowRoom * cellWidth);
+  chooseScale((options_.asRow ? seriesRoom : arrowRoom) * cellWidth);
   chooseReference();
   const bool moves = std::any_of(all_.begin(), all_.end(), [](const VectorPicture& p) { return !p.arrows.empty(); });
   if (moves) addKey();

@@ -17,14 +17,21 @@ double cellWidth(double width, size_t count) {
   return (width - gaps) / static_cast<double>(std::max<size_t>(count, 1));
 }
 
+/// One size for all names of a row: smaller where one of them would be cut.
+double fittingSize(const std::vector<PlatePanel>& panels, double cell) {
+  double widest = 0.0;
+  for (const PlatePanel& panel : panels)
+    widest = std::max(widest, textWidth(figureFont(headingSize), QString::fromStdString(panel.heading)));
+  return widest > cell ? headingSize * cell / widest : headingSize;
+}
+
 double headingHeight(const std::vector<PlatePanel>& panels) {
   const bool any = std::any_of(panels.begin(), panels.end(), [](const PlatePanel& p) { return !p.heading.empty(); });
   return any ? lineHeight(figureFont(headingSize)) : 0.0;
 }
 
-void paintPanel(QPainter& painter, const PlatePanel& panel, const QRectF& cell, double heading,
+void paintPanel(QPainter& painter, const PlatePanel& panel, const QRectF& cell, double heading, const QFont& font,
                 const FigureTheme& theme) {
-  const QFont font = figureFont(headingSize);
   painter.setFont(font);
   painter.setPen(theme.text);
   painter.drawText(QRectF(cell.left(), cell.top(), cell.width(), heading), Qt::AlignHCenter | Qt::AlignTop,
@@ -43,9 +50,10 @@ PlatePanel panelRow(const std::string& heading, const std::vector<PlatePanel>& p
   for (const PlatePanel& panel : panels) height = std::max(height, cell * panel.shape);
   const auto paint = [panels](QPainter& painter, const QRectF& place, const FigureTheme& theme) {
     const double side = cellWidth(place.width(), panels.size());
+    const QFont font = figureFont(fittingSize(panels, side));
     double x = place.left();
     for (const PlatePanel& panel : panels) {
-      paintPanel(painter, panel, QRectF(x, place.top(), side, place.height()), headingHeight(panels), theme);
+      paintPanel(painter, panel, QRectF(x, place.top(), side, place.height()), headingHeight(panels), font, theme);
       x += side + gap * figureUnitsPerMillimetre;
     }
   };

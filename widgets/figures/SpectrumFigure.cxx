@@ -31,7 +31,7 @@ Chart chartOf(const std::vector<SchemeSpectrum>& spectra, const ChartAxis& y, do
     ChartSeries series;
     if (spectra.size() > 1) series.name = spectrum.scheme;  // one alone is named in the note
     series.kind = kind;
-    series.style = schemeStyle(spectrum.scheme);
+    series.style = spectra.size() > 1 ? schemeStyle(spectrum.scheme) : 0;
     for (size_t i = 0; i < std::min(count, spectrum.modes.size()); ++i) {
       const double value = spectrum.modes[i].*measure;
       series.x.push_back(i);

@@ -154,7 +154,8 @@ Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::
                    ", where they vanish and their curves have a gap.";
   if (!breakdowns.empty())
     figure.caption +=
-        " The markers above a plot stand where a scheme's surface ceases to be a face; beyond, its curve is thin.";
+        " The markers above a plot stand where a scheme's surface ceases to be a face: it leaves the box of its "
+        "curves by more than 3 %, or more than 0.5 % of its front is turned over; beyond, its curve is thin.";
   if (leavesPanels(figure)) figure.caption += " Curves that leave a panel exceed its scale.";
   const std::string ends = earlyEnds(records);
   if (!ends.empty()) figure.caption += " " + ends;

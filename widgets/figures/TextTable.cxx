@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <numeric>
 
 #include "TextLines.h"
 
@@ -29,6 +30,9 @@ class BrokenTable {
     rows_.push_back(broken(titles, true));
     for (const std::vector<std::string>& row : table.rows) rows_.push_back(broken(row, false));
   }
+
+  /// Whether all words are within the width.
+  bool fits(double width) const { return std::accumulate(widths_.begin(), widths_.end(), 0.0) <= width + 1e-6; }
 
   double height() const {
     double sum = 0.0;
@@ -140,10 +144,26 @@ class BrokenTable {
 
 }  // namespace
 
+namespace {
+
+constexpr double leastSize = 4.0, shrinking = 0.97;  // pt
+
+/// In smaller type where words would be cut.
+BrokenTable fittingTable(TextTable table, double width) {
+  BrokenTable broken(table, width);
+  while (!broken.fits(width) && table.size > leastSize) {
+    table.size *= shrinking;
+    broken = BrokenTable(table, width);
+  }
+  return broken;
+}
+
+}  // namespace
+
 PlatePanel tablePanel(const std::string& heading, const TextTable& table, double width) {
-  const BrokenTable measured(table, units(width));
+  const BrokenTable measured = fittingTable(table, units(width));
   const auto paint = [table](QPainter& painter, const QRectF& place, const FigureTheme& theme) {
-    BrokenTable(table, place.width()).paint(painter, place, theme);
+    fittingTable(table, place.width()).paint(painter, place, theme);
   };
   return {heading, 1, measured.height() / units(width), paint};
 }

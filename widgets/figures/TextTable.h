@@ -22,7 +22,7 @@ struct TextTable {
   std::vector<Group> groups;  ///< from the left over all columns; may be empty, titles too
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;  ///< as many cells as columns; text is broken to fit
-  double size = 6.5;                           ///< pt
+  double size = 6.5;                           ///< pt; smaller where words would be cut
   bool close = false;                          ///< little room between rows and columns
 };
 

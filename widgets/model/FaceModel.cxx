@@ -13,6 +13,7 @@
 #include "MotionReach.h"
 #include "NamedTables.h"
 #include "PipelineErrors.h"
+#include "vtkBoundaryCurveReader.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
 
@@ -270,6 +271,15 @@ bool FaceModel::openDeformationTable(const QString& nameOrFile) {
   const std::string name = nameOrFile.toStdString();
   return takeTable(name, readNamedTable(name, table),
                    [](FaceState& state) -> std::string& { return state.deformation.table; });
+}
+
+bool FaceModel::openCurves(const QString& fileName) {
+  pipeline_.neutralCurves()->Modified();  // they may have been read under this name before
+  change([&](FaceState& state) {
+    state.curvesFile = fileName.toStdString();
+    state.edits.clear();
+  });
+  return update();
 }
 
 void FaceModel::closeAnimation() {

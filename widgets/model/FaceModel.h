@@ -61,6 +61,10 @@ class FaceModel : public QObject {
   /// Lets a facial deformation table bend the face, by name or file, read anew from disk. @return whether it was good
   bool openDeformationTable(const QString& nameOrFile);
 
+  /// Makes other boundary curves (.vtp, .mienz) the face, read anew from disk, without the edits of those before.
+  /// @return whether they were good; else all stays as it was
+  bool openCurves(const QString& fileName);
+
   int frameCount() const;           ///< of the open animation; 0 without one
   double framesPerSecond() const;   ///< of the open animation; 0 without one
   int frameIndex() const;           ///< from 0; between two frames that of the one before

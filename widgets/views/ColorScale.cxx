@@ -49,7 +49,7 @@ QSize ColorScale::minimumSizeHint() const {
 
 /// Without FAPs to move it, a face has no displacements.
 void ColorScale::follow() {
-  auto* curves = vtkPolyData::SafeDownCast(model_->pipeline().curves()->GetOutputDataObject(0));
+  auto* curves = vtkPolyData::SafeDownCast(model_->pipeline().shownCurves()->GetOutputDataObject(0));
   vtkDataArray* moved = curves ? curves->GetPointData()->GetArray("Displacement") : nullptr;
   const double most = moved ? moved->GetMaxNorm() : 0.0;
   if (most == most_) return;

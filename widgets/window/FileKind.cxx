@@ -26,16 +26,41 @@ FileKind kindOfTable(const std::string& text) {
   const auto& header = reader.header();
   if (hasColumns(header, {"region", "a1", "b1"})) return FileKind::DeformationTable;
   if (hasColumns(header, {"marker"})) return FileKind::Markers;
-  if (hasColumns(header, {"landmark"}) || hasColumns(header, {"vertex"})) return FileKind::Landmarks;
+  if (hasColumns(header, {"landmark", "z"}) || hasColumns(header, {"vertex"})) return FileKind::Landmarks;
+  if (hasColumns(header, {"landmark", "x", "y"})) return FileKind::PhotographMesh;
+  if (hasColumns(header, {"landmark"})) return FileKind::Landmarks;
   return FileKind::Animation;
 }
 
-/// Meshes, curves and pictures of the usual kinds, none of which is a table.
-bool isOther(const QByteArray& head) {
-  if (head.left(headOfFile).contains('\0')) return true;
-  for (const char* begin : {"<?xml", "<VTKFile", "ply", "solid", "v ", "# vtk DataFile", "%PDF"})
-    if (head.startsWith(begin)) return true;
-  return false;
+/// Of files with a beginning of their own.
+struct Beginning {
+  const char* bytes;
+  int length;
+  FileKind kind;
+};
+
+constexpr Beginning beginnings[] = {{"MIENZ", 5, FileKind::Curves},
+                                    {"ply", 3, FileKind::Scan},
+                                    {"solid", 5, FileKind::Scan},
+                                    {"OFF", 3, FileKind::Scan},
+                                    {"\x89PNG", 4, FileKind::Photograph},
+                                    {"\xFF\xD8\xFF", 3, FileKind::Photograph},
+                                    {"II*\0", 4, FileKind::Photograph},
+                                    {"MM\0*", 4, FileKind::Photograph},
+                                    {"mien_warp_mesh", 14, FileKind::PhotographMesh},
+                                    {"# vtk DataFile", 14, FileKind::Other},
+                                    {"%PDF", 4, FileKind::Other}};
+
+/// Boundary curves are lines without polygons.
+FileKind kindOfXML(const QByteArray& head) {
+  if (head.contains("type=\"StructuredGrid\"")) return FileKind::Mesh;
+  if (!head.contains("type=\"PolyData\"")) return FileKind::Other;
+  return head.contains("NumberOfPolys=\"0\"") ? FileKind::Curves : FileKind::Mesh;
+}
+
+/// Two kinds of scans begin with anything: .obj with remarks, .stl with a title. No table has their endings.
+bool hasScanEnding(const QString& fileName) {
+  return fileName.endsWith(".obj", Qt::CaseInsensitive) || fileName.endsWith(".stl", Qt::CaseInsensitive);
 }
 
 /// Or the state of a face, as figures carry it.
@@ -52,7 +77,11 @@ FileKind fileKind(const QString& fileName) {
   const QByteArray head = file.read(headOfFile);
   const std::string text = head.toStdString();
   if (isPackedTable(text)) return FileKind::DeformationTable;
-  if (isOther(head)) return FileKind::Other;
+  for (const Beginning& beginning : beginnings)
+    if (head.startsWith(QByteArray(beginning.bytes, beginning.length))) return beginning.kind;
+  if (head.startsWith("<?xml") || head.startsWith("<VTKFile")) return kindOfXML(head);
+  if (hasScanEnding(fileName) || head.startsWith("v ")) return FileKind::Scan;
+  if (head.contains('\0')) return FileKind::Other;
   if (isSession(head)) return FileKind::Session;
   if (head.trimmed().startsWith('{')) return FileKind::AnimationTable;
   return kindOfTable(text);

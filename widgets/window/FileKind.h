@@ -10,9 +10,14 @@ enum class FileKind {
   DeformationTable,  ///< facial deformation table, as text or packed
   AnimationTable,    ///< .json of what each FAP moves
   Session,           ///< .json of a window, or of the state of a face
-  Landmarks,         ///< of a scan or a photograph
+  Curves,            ///< boundary curves of a face, .vtp or .mienz
+  Scan,              ///< .ply .obj .stl .off
+  Mesh,              ///< surface of VTK, .vtp or .vts
+  Photograph,        ///< .png .jpg .tif
+  PhotographMesh,    ///< warp mesh or landmarks of a photograph
+  Landmarks,         ///< of a scan
   Markers,           ///< before and after an expression
-  Other              ///< another kind of file: a mesh, a picture
+  Other              ///< another kind of file
 };
 
 /// Looks at the beginning of a file; one that cannot be read is an Animation, whose reader says why.

@@ -34,7 +34,7 @@ void FileMenu::addSession() {
 }
 
 void FileMenu::addAnimation() {
-  addAction(tr("&Open animation..."), window_, &StudioWindow::chooseAnimation)->setShortcut(QKeySequence::Open);
+  addAction(tr("&Open..."), window_, &StudioWindow::chooseAnimation)->setShortcut(QKeySequence::Open);
   addAction(tr("Play the &demonstration"), window_, &StudioWindow::playDemonstration);
   QAction* close = addAction(tr("&Close animation"), &window_->model(), &FaceModel::closeAnimation);
   close->setShortcut(QKeySequence::Close);

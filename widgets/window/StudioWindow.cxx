@@ -20,6 +20,7 @@
 #include "FAPPanel.h"
 #include "FaceModel.h"
 #include "FileMenu.h"
+#include "FileOpener.h"
 #include "HelpMenu.h"
 #include "History.h"
 #include "LaboratoryDocks.h"
@@ -43,26 +44,27 @@ namespace {
 
 constexpr int startWidth = 1280, startHeight = 800;  // pixels
 
-QString droppedFile(const QMimeData* data) {
+QStringList droppedFiles(const QMimeData* data) {
+  QStringList names;
   for (const QUrl& url : data->urls())
-    if (url.isLocalFile()) return url.toLocalFile();
-  return {};
+    if (url.isLocalFile()) names << url.toLocalFile();
+  return names;
 }
 
 /// What to do with a file that is no use here, or nothing.
 QString advice(FileKind kind) {
   switch (kind) {
-    case FileKind::Landmarks:
-      return StudioWindow::tr(
-          "%1 holds landmarks, which place the curves on a scan: mien acquire SCAN --landmarks %1 -o face.vtp");
     case FileKind::Markers:
       return StudioWindow::tr(
           "%1 holds markers before and after an expression. Fit a table to them, and open that: mien fdt fit %1 -o "
           "table.csv");
     case FileKind::Other:
       return StudioWindow::tr(
-          "%1 is no animation and no table. Mien Studio opens .fap files, tables (.csv) of FAPs, action units or "
-          "blendshapes, facial deformation tables (.csv), animation tables and sessions (.json)");
+          "%1 is nothing that Mien Studio opens: .fap files, tables (.csv) of FAPs, action units or blendshapes, "
+          "facial "
+          "deformation tables (.csv), animation tables and sessions (.json), boundary curves (.vtp .mienz), scans "
+          "(.ply .obj .stl "
+          ".off), photographs (.png .jpg .tif), their meshes and landmarks (.csv)");
     default:
       return {};
   }
@@ -78,6 +80,7 @@ StudioWindow::StudioWindow()
       views_(new ViewArea(model_, face_, curves_)),
       messages_(new MessageBar),
       laboratory_(new LaboratoryDocks(model_, player_, face_, curves_, this)),
+      opener_(new FileOpener(model_, this)),
       keeper_(new SessionKeeper(model_, player_, this)) {
   setObjectName("studioWindow");
   setAcceptDrops(true);
@@ -166,6 +169,7 @@ bool StudioWindow::openAs(FileKind kind, const QString& fileName) {
   if (kind == FileKind::AnimationTable) return openAnimationTable(fileName);
   if (kind == FileKind::Animation) return openAnimation(fileName);
   if (kind == FileKind::Session) return document().open(fileName);
+  if (FileOpener::opens(kind)) return opener_->open(kind, fileName);
   if (kind != FileKind::DeformationTable) {
     messages_->showError(advice(kind).arg(name), fileName);
     return false;
@@ -197,9 +201,11 @@ void StudioWindow::playStream(int descriptor) {
 }
 
 void StudioWindow::chooseAnimation() {
-  const QString name =
-      QFileDialog::getOpenFileName(this, tr("Open animation"), QString(),
-                                   tr("Facial animation and capture (*.fap *.FAP *.csv *.CSV);;All files (*)"));
+  const QString name = QFileDialog::getOpenFileName(
+      this, tr("Open"), QString(),
+      tr("All that can be opened (*.fap *.FAP *.csv *.CSV *.json *.JSON *.fdt *.FDT %1);;Facial "
+         "animation and capture (*.fap *.FAP *.csv *.CSV);;All files (*)")
+          .arg(FileOpener::endings()));
   if (!name.isEmpty()) openFile(name);
 }
 
@@ -226,12 +232,12 @@ void StudioWindow::resetAll() {
 }
 
 void StudioWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!droppedFile(event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (!droppedFiles(event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void StudioWindow::dropEvent(QDropEvent* event) {
-  const QString name = droppedFile(event->mimeData());
-  if (openFile(name) && model_->state().fapFile == name.toStdString()) player_->play();
+  for (const QString& name : droppedFiles(event->mimeData()))
+    if (openFile(name) && model_->state().fapFile == name.toStdString()) player_->play();
   event->acceptProposedAction();
 }
 

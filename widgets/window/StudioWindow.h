@@ -10,6 +10,7 @@ namespace mien {
 class AnimationPlayer;
 class CurveView;
 class FaceModel;
+class FileOpener;
 class History;
 class LaboratoryDocks;
 class LiveStream;
@@ -32,8 +33,8 @@ class StudioWindow : public QMainWindow {
   SessionDocument& document();
 
  public slots:
-  /// Takes over whatever a file holds, as its content tells: an animation, a facial deformation table, an animation
-  /// table, a session; of other files the message bar says what they are for. @return whether it was taken over
+  /// Takes over whatever a file holds, as its content tells: an animation, a table, boundary curves, a scan, a
+  /// photograph, a session; of other files the message bar says what they are for. @return whether it was taken over
   bool openFile(const QString& fileName);
   bool openAnimation(const QString& fileName);  ///< the message bar says what is wrong with a file that has a fault
   void playStream(int descriptor);              ///< a .fap stream that is still being written; 0 is standard input
@@ -63,6 +64,7 @@ class StudioWindow : public QMainWindow {
   ViewArea* views_;
   MessageBar* messages_;
   LaboratoryDocks* laboratory_;
+  FileOpener* opener_;
   Workspaces* workspaces_;
   SessionKeeper* keeper_;
   LiveStream* stream_ = nullptr;

@@ -10,8 +10,10 @@
 #include "Arguments.h"
 #include "Command.h"
 #include "CommandText.h"
+#include "CsvText.h"
 #include "FaceMotion.h"
 #include "FaceOptions.h"
+#include "FacePipeline.h"
 #include "FaceStateText.h"
 #include "FaceTexture.h"
 #include "Failure.h"
@@ -60,6 +62,7 @@ std::string commandFor(const Options& options, const CatalogueFigure& figure) {
   if (!figure.heeds.motion)
     without.insert({"--fap", "--frame", "--index", "--time", "--expression", "--viseme", "--set"});
   if (!figure.heeds.table) without.insert({"--fdt", "--fdt-hard"});
+  without.insert(figure.ignores.begin(), figure.ignores.end());
   if (!figure.frames) without.insert("--frames");
   if (figure.textures == 0) without.insert("--texture");
   return commandText(*options.command, {figure.id}, without);
@@ -78,6 +81,19 @@ void remarkIgnored(const CatalogueFigure& figure, const std::string& remark, boo
   std::cerr << "mien: " << figure.id << " " << remark << "; " << figuresWith(heeds) << " do\n";
 }
 
+void requireWidth(const Options& options, const CatalogueFigure& figure) {
+  if (options.figure.width() < figure.leastWidth)
+    throw ValueFailure("--width " + shortestText(options.figure.width()) + " mm is too narrow for " + figure.id +
+                       ", which needs at least " + shortestText(figure.leastWidth) + " mm");
+}
+
+/// What is wrong with the face is told by figures that do not heed it, too.
+void requireFace(const FaceState& state) {
+  FacePipeline face;
+  face.setState(state);
+  checkOrThrow(face);
+}
+
 /// Says which options this figure has no use for.
 void remarkUnused(const Options& options, const FaceState& state, const CatalogueFigure& figure) {
   FaceState still = FaceMotion::neutralOf(state);
@@ -91,6 +107,9 @@ void remarkUnused(const Options& options, const FaceState& state, const Catalogu
   if (!options.frames.empty() && !figure.frames)
     remarkIgnored(figure, "shows no frames of an animation, so that --frames is ignored",
                   [](const CatalogueFigure& f) { return f.frames; });
+  for (const std::string& name : figure.ignores)
+    if (options.command->get_option(name)->count() > 0)
+      std::cerr << "mien: " << figure.id << " has values of its own in place of " << name << ", which is ignored\n";
   const int textures = static_cast<int>(options.textures.size());
   if (textures > 0 && figure.textures == 0)
     remarkIgnored(figure, "shows no texture, so that --texture is ignored",
@@ -104,9 +123,12 @@ void remarkUnused(const Options& options, const FaceState& state, const Catalogu
 void remarkHeight(const Options& options, const CatalogueFigure& figure, const QSizeF& size) {
   constexpr double page = 240.0;  // mm
   const int height = static_cast<int>(std::lround(size.height() / figureUnitsPerMillimetre));
+  constexpr double widest = 170.0;  // mm, of a page
+  const bool wider = options.figure.width() < widest;
   if (height > page)
     std::cerr << "mien: " << figure.id << " is " << height << " mm high at a width of " << options.figure.width()
-              << " mm, more than the " << page << " mm of a page; a larger --width or --no-caption makes it lower\n";
+              << " mm, more than the " << page << " mm of a page; "
+              << (wider ? "a larger --width or --no-caption" : "a smaller --width") << " makes it lower\n";
 }
 
 /// @return what was drawn
@@ -125,7 +147,9 @@ void drawOne(const Options& options) {
   requireEnding(options.output, {"svg", "pdf", "png"});
   const OutputFile writable(options.output);
   const CatalogueFigure& figure = catalogueFigure(options.id);
+  requireWidth(options, figure);
   const FaceState state = options.face.state();
+  requireFace(state);
   remarkUnused(options, state, figure);
   const FigureApplication application;
   FigureContext context(state, settingsOf(options));
@@ -146,6 +170,12 @@ void makeFolder(const std::string& folder) {
 bool drawInto(const Options& options, FigureContext& context, const CatalogueFigure& figure, FigureGallery& gallery) {
   const std::string file = figure.id + "." + options.format;
   FigureDrawing drawing;
+  try {
+    requireWidth(options, figure);
+  } catch (const ValueFailure& failure) {
+    std::cerr << "mien: " << failure.what() << "\n";
+    return false;
+  }
   try {
     drawing = write(options, context, figure, (fs::path(options.output) / file).string());
   } catch (const FileFailure& failure) {
@@ -226,7 +256,14 @@ void drawAgain(const Options& options) {
   addFigureCommand(program);
   std::reverse(words.begin(), words.end());
   words.pop_back();
-  program.parse(words);
+  try {
+    program.parse(words);
+  } catch (const FileFailure& failure) {
+    const std::string sentence = failure.what();
+    if (sentence.rfind(options.output, 0) == 0) throw;
+    throw FileFailure(sentence + " (files in the command that " + options.from +
+                      " carries are named as they were where it was drawn)");
+  }
 }
 
 /// Before anything is drawn: an image that is there, and its mesh.
@@ -248,10 +285,10 @@ void run(const Options& options) {
     throw ValueFailure("give one of an ID, --all and --from FILE");
   for (const std::string& texture : options.textures) requireTexture(texture);
   if (options.all) return drawAll(options);
+  if (options.from.empty() && options.id.empty())
+    throw ValueFailure("no figure is named; give an ID, --all or --from FILE (--list shows the IDs)");
   if (options.output.empty()) throw ValueFailure("there is nothing to write; give a file with -o");
   if (!options.from.empty()) return drawAgain(options);
-  if (options.id.empty())
-    throw ValueFailure("no figure is named; give an ID, --all or --from FILE (--list shows the IDs)");
   drawOne(options);
 }
 
@@ -268,7 +305,8 @@ void addFigureCommand(CLI::App& program) {
       "--from", options->from,
       "Draws the figure of this .svg, .pdf or .png again, with its parameters; options given beside replace its own");
   command->add_option("-o,--output", options->output, "File to write: .svg .pdf .png; a folder for --all");
-  command->add_option("--format", options->format, "Of --all: svg, pdf or png")->capture_default_str();
+  command->add_option("--format", options->format, "Of the files of --all: svg, pdf or png; else -o tells it")
+      ->capture_default_str();
   options->figure.addTo(*command, "Figure");
   command->add_flag("--no-labels", options->noLabels, "No (a), (b) .. before panels")->group("Figure");
   command

@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include "CatalogueFigures.h"
 #include "CsvText.h"
 #include "CurveDrawing.h"
@@ -65,8 +67,16 @@ PlatePanel texturedRow(FigureContext& context, const std::vector<FaceState>& sta
 /// The face, the file and its frames.
 std::string noteOf(const std::vector<FaceState>& states) {
   std::string frames;
-  for (const FaceState& state : states) frames += (frames.empty() ? "frames " : ", ") + shortestText(state.frame);
+  const std::string first = states.size() > 1 ? "frames " : "frame ";
+  for (const FaceState& state : states) frames += (frames.empty() ? first : ", ") + shortestText(state.frame);
   return faceNote(states.front(), {states.front().surface.scheme}, true, frames);
+}
+
+/// The photograph is named where there are several.
+std::string texturedHeading(const FigureContext& context, size_t texture) {
+  const std::vector<std::string>& files = context.settings().textures;
+  if (files.size() < 2) return "Textured";
+  return "Textured: " + std::filesystem::path(files[texture].substr(0, files[texture].find(':'))).filename().string();
 }
 
 }  // namespace
@@ -77,10 +87,11 @@ FigureDrawing drawAnimation(FigureContext& context) {
   plate.columns = 1;
   plate.panels = {curveRow(context, states), vectorRow(context, states)};
   const size_t textures = std::max<size_t>(context.settings().textures.size(), 1);
-  for (size_t i = 0; i < textures; ++i) plate.panels.push_back(texturedRow(context, states, i, "Textured", false));
+  for (size_t i = 0; i < textures; ++i)
+    plate.panels.push_back(texturedRow(context, states, i, texturedHeading(context, i), false));
   plate.caption =
       "Frames of an animation; the faces of a row have one scale, arrows of all frames one scale and one range of "
-      "colours.";
+      "colours. Arrows are thinned, with the strongest of every region among them; turns of the head are part of them.";
   plate.note = noteOf(states);
   return context.drawn(plate);
 }

@@ -52,7 +52,7 @@ FigureDrawing drawExpressionTable(FigureContext& context) {
   TextTable table;
   const bool narrow = context.isNarrow();
   table.close = narrow;
-  table.columns = {{narrow ? "" : "Expression", 0.8}, {"Definition", 2.2}, {"Facial action", 1.5}, {"FAP: value", 2.2}};
+  table.columns = {{"Expression", 0.8}, {"Definition", 2.2}, {"Facial action", 1.5}, {"FAP: value", 2.2}};
   if (narrow) table.columns.erase(table.columns.begin() + 1);
   for (const ExpressionProfile& expression : defaultExpressions().expressions())
     for (const std::vector<std::string>& row : rowsOf(expression, narrow)) table.rows.push_back(row);

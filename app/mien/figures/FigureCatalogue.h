@@ -24,8 +24,10 @@ struct CatalogueFigure {
   std::string title;
   FigureDrawing (*draw)(FigureContext& context);
   FigureHeeds heeds;
-  int textures = 0;     ///< how many of the textures asked for it shows at most
-  bool frames = false;  ///< whether it shows frames of an animation
+  double leastWidth = 40.0;               ///< mm, below which names or tables would be cut or too small to be read
+  std::vector<std::string> ignores = {};  ///< options of the face that it has values of its own for
+  int textures = 0;                       ///< how many of the textures asked for it shows at most
+  bool frames = false;                    ///< whether it shows frames of an animation
 };
 
 /// All of them, in the order of the papers. A new figure is one file and one line there.

@@ -38,6 +38,7 @@ std::vector<double> strongestNumbers(const FAPSequence& sequence, int count, dou
     const auto weaker = [](const FAPFrame& a, const FAPFrame& b) { return strength(a) < strength(b); };
     numbers.push_back(std::max_element(first, last, weaker)->number);
   }
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());  // a file of few frames
   return numbers;
 }
 

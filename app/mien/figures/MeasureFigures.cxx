@@ -28,9 +28,9 @@ std::vector<std::string> allSchemes() {
 
 constexpr double rounding = 1e-9;  // degrees: less is none
 
-/// The digits that a search to 1 percent knows.
+/// The digits that a search to 1 percent knows, and none less.
 std::string breakdownText(const json& a) {
-  return a.is_number() ? QString::number(a.get<double>(), 'g', 2).toStdString() : "holds";
+  return a.is_number() ? QString::number(a.get<double>(), 'g', 3).toStdString() : "holds";
 }
 
 std::string threeDigits(const json& value) {

@@ -60,8 +60,8 @@ FigureDrawing drawSizes(FigureContext& context) {
   const int k = pipeline.pointsPerCurve();
   Figure figure = detailFigure(pointsOf(filter->GetOutput()), modeNumberCount(k, k / 2) * double(sizeof(float)),
                                "the face's own fine surface");
-  figure.caption = "No scan: the reference is the face's own surface of " + std::to_string(fineRows) + " × " +
-                   std::to_string(fineColumns) + " points. " + figure.caption;
+  figure.caption = "The reference is the face's own surface of " + std::to_string(fineRows) + " × " +
+                   std::to_string(fineColumns) + " points, not a scan. " + figure.caption;
   figure.note = faceNote(state, {state.surface.scheme}) + "; measured every " + shortestText(spacing) + " mm";
   return context.drawn(figure);
 }

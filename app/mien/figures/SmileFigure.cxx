@@ -29,8 +29,10 @@ FigureDrawing drawSmile(FigureContext& context) {
     for (const PlatePanel& panel : context.facePanels(faces, style, width, shape)) plate.panels.push_back(panel);
   }
   const bool published = smile.deformation.table == "smile";
-  plate.caption = (published ? "The published table of a smile (Table I)" : "The table " + smile.deformation.table) +
-                  std::string(" on this face, front and turned by 45 degrees, each pair at one scale.");
+  plate.caption =
+      (published ? "The published table of a smile (Table I)" : "The table " + smile.deformation.table) +
+      std::string(" on this face, front and turned by 45 degrees, each pair at one scale.") +
+      (published ? " Its sides are unequal: the crease at the right corner of the mouth is the table's." : "");
   return context.drawn(plate);
 }
 

@@ -17,7 +17,8 @@ std::string number(double value) {
 }
 
 std::string withDeviation(const DeformationTable& table, int region, int row, int i) {
-  return number(table.maps[region].coefficients(row, i)) + "\u2009±\u2009" + number(table.deviations->at(region)(row, i));
+  return number(table.maps[region].coefficients(row, i)) + "\u2009±\u2009" +
+         number(table.deviations->at(region)(row, i));
 }
 
 enum Columns { Published = 1, Mean = 2 };
@@ -33,9 +34,9 @@ std::vector<std::string> cellsOf(int columns, int region, int row) {
 /// The tables of one axis, side by side where both are asked for, a row for each region.
 PlatePanel coefficientPanel(int columns, int row, double width) {
   TextTable text;
-  text.size = columns == Mean ? 5.5 : 6.0;  // six numbers with deviations in one column of a page
-  text.close = columns != (Published | Mean);                 // four tables one below the other are as high as a page
-  text.columns.push_back({text.close ? "" : "Region", 0.3});  // deviations need the room of a single column
+  text.size = columns == Mean ? 5.5 : 6.0;     // six numbers with deviations in one column of a page
+  text.close = columns != (Published | Mean);  // four tables one below the other are as high as a page
+  text.columns.push_back({"Region", 0.3});
   text.groups.push_back({"", 1});
   const std::string letter = row ? "b" : "a";
   for (int i = 1; i <= 6 && (columns & Published); ++i) text.columns.push_back({letter + std::to_string(i), 0.8, true});
@@ -58,7 +59,8 @@ FigureDrawing drawSmileTable(FigureContext& context) {
   for (int row = 0; row < 2; ++row)
     for (const int columns : panels) plate.panels.push_back(coefficientPanel(columns, row, context.innerWidth()));
   plate.caption =
-      "The published smile beside Mien's own mean smile, in pupil units; ± is one standard deviation over the "
+      "The published smile beside Mien's own mean smile, in pupil units, rounded to two decimals; ± is one standard "
+      "deviation over the "
       "12 subjects (n = 12).";
   return context.drawn(plate);
 }

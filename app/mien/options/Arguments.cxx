@@ -51,7 +51,7 @@ double parseMillimetres(const std::string& option, const std::string& text) {
   if (!parse(number, value) || !std::isfinite(value))
     throw ValueFailure(option + " '" + text +
                        "' is no length; write a number in mm such as 85, or with mm, cm, in or pt");
-  if (!(value > 0.0)) throw ValueFailure(option + " '" + text + "' is not above 0; write it as 0.1mm");
+  if (!(value > 0.0)) throw ValueFailure(option + " '" + text + "' is not above 0; a length is written as 85 or 85mm");
   return factor * value;
 }
 

@@ -108,7 +108,7 @@ class PictureMaker {
     chooseSampling();
     const Places moves = projected(field_.vectors);
     const Eigen::VectorXd magnitudes = field_.magnitudes();
-    picture_.chosen = picture_.sampling.choose(candidates_, places_, field_.columns);
+    picture_.chosen = picture_.sampling.choose(candidates_, places_, field_.columns, magnitudes);
     for (const int i : picture_.chosen) {
       const double towards = field_.vectors.row(i).dot(options_.plane.out);
       if (magnitudes[i] > leastMotion)

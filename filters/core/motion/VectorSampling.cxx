@@ -14,6 +14,7 @@ namespace {
 using Places = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
 constexpr double closest = 0.75;   // of the spacing: vertices near neighbouring points of the lattice both are kept
+constexpr double peakShare = 0.5;  // of the longest
 constexpr double rounding = 1e-6;  // of the spacing: mirrored vertices are equally far from the lattice
 
 /// Distance to the nearest point of the hexagonal lattice with rows along the first axis and a point at the origin.
@@ -58,8 +59,25 @@ class ChosenPlaces {
   std::map<std::pair<long long, long long>, std::vector<int>> cells_;
 };
 
-std::vector<int> evenly(const std::vector<int>& candidates, const Places& places, double spacing) {
+/// The candidates that are longer than all others within the spacing, and not short beside the longest.
+std::vector<int> peaks(std::vector<int> candidates, const Places& places, double spacing,
+                       const Eigen::VectorXd& lengths) {
+  std::stable_sort(candidates.begin(), candidates.end(), [&](int a, int b) { return lengths[a] > lengths[b]; });
+  ChosenPlaces longer(places, spacing);
+  std::vector<int> found;
+  for (const int vertex : candidates) {
+    if (!(lengths[vertex] > 0.0) || lengths[vertex] < peakShare * lengths[candidates.front()]) break;
+    if (!longer.hasNear(vertex)) found.push_back(vertex);
+    longer.add(vertex);
+  }
+  return found;
+}
+
+std::vector<int> evenly(const std::vector<int>& candidates, const Places& places, double spacing,
+                        const Eigen::VectorXd& lengths) {
   std::vector<std::pair<double, int>> order;
+  if (lengths.size() > 0)
+    for (const int vertex : peaks(candidates, places, spacing, lengths)) order.emplace_back(-1.0, vertex);
   for (const int vertex : candidates) {
     const double distance = distanceToLattice(places.row(vertex), spacing) / spacing;
     order.emplace_back(std::round(distance / rounding), vertex);
@@ -112,8 +130,9 @@ std::string VectorSampling::description() const {
   return kind == Kind::Automatic || step == 1 ? "all vertices" : "one of " + std::to_string(step) + " vertices";
 }
 
-std::vector<int> VectorSampling::choose(const std::vector<int>& candidates, const Places& places, int columns) const {
-  if (kind == Kind::Even) return evenly(candidates, places, spacing);
+std::vector<int> VectorSampling::choose(const std::vector<int>& candidates, const Places& places, int columns,
+                                        const Eigen::VectorXd& lengths) const {
+  if (kind == Kind::Even) return evenly(candidates, places, spacing, lengths);
   if (kind == Kind::Automatic) return candidates;
   const auto isLeftOut = [&](int vertex) {
     const int row = columns > 0 ? vertex / columns : 0, column = columns > 0 ? vertex % columns : vertex;

@@ -26,14 +26,16 @@ struct VectorSampling {
   std::string text() const;         ///< as parse() reads it
   std::string description() const;  ///< in words, for notes
 
-  /// The candidates that are drawn, ascending. Even: those nearest to a hexagonal lattice of that spacing go first, so
-  /// that the pattern is regular where the mesh is fine enough, and the same for every field on it; every two are at
-  /// least 3/4 of the spacing apart, and every candidate has a chosen one within that.
+  /// The candidates that are drawn, ascending. Even: peaks go first, which are longer than all within the spacing and
+  /// at least half as long as the longest, so that thinning loses no motion; then those nearest to a hexagonal lattice
+  /// of that spacing, so that the pattern is regular where the mesh is fine enough. Every two are at least 3/4 of the
+  /// spacing apart, and every candidate has a chosen one within that.
   /// @param candidates  vertex numbers, ascending
   /// @param places      of all vertices in the picture, mm, a row each
   /// @param columns     of a grid, or 0
+  /// @param lengths     of all vectors, mm; empty: none is a peak
   std::vector<int> choose(const std::vector<int>& candidates, const Eigen::Matrix<double, Eigen::Dynamic, 2>& places,
-                          int columns) const;
+                          int columns, const Eigen::VectorXd& lengths = {}) const;
 };
 
 }  // namespace mien

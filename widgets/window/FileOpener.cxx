@@ -1,0 +1,105 @@
+#include "FileOpener.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <algorithm>
+#include <iterator>
+
+#include "Comparison.h"
+#include "FaceModel.h"
+#include "ScanPanel.h"
+#include "TexturePanel.h"
+
+namespace mien {
+
+struct FileOpener::Action {
+  FileKind kind;
+  bool (FileOpener::*open)(const QString& fileName);
+  const char* dock;     ///< that shows it; nullptr: none
+  const char* endings;  ///< in the dialogue
+};
+
+const FileOpener::Action FileOpener::actions[] = {
+    {FileKind::Curves, &FileOpener::openCurves, nullptr, "*.vtp *.mienz"},
+    {FileKind::Scan, &FileOpener::openScan, "curvesDock", "*.ply *.obj *.stl *.off"},
+    {FileKind::Landmarks, &FileOpener::openScanLandmarks, "curvesDock", "*.csv"},
+    {FileKind::Mesh, &FileOpener::openMesh, nullptr, "*.vts"},
+    {FileKind::Photograph, &FileOpener::openPhotograph, "textureDock", "*.png *.jpg *.jpeg *.tif *.tiff"},
+    {FileKind::PhotographMesh, &FileOpener::openPhotographMesh, "textureDock", "*.csv"},
+};
+
+FileOpener::FileOpener(FaceModel* model, QMainWindow* window) : QObject(window), model_(model), window_(window) {}
+
+bool FileOpener::opens(FileKind kind) {
+  return std::any_of(std::begin(actions), std::end(actions), [kind](const Action& a) { return a.kind == kind; });
+}
+
+bool FileOpener::open(FileKind kind, const QString& fileName) {
+  const auto action =
+      std::find_if(std::begin(actions), std::end(actions), [kind](const Action& a) { return a.kind == kind; });
+  if (action == std::end(actions)) return false;
+  if (action->dock) show(action->dock);
+  return (this->*action->open)(fileName);
+}
+
+QString FileOpener::endings() {
+  QStringList all;
+  for (const Action& action : actions)
+    for (const QString& ending : QString(action.endings).split(' '))
+      if (!all.contains(ending)) all += {ending, ending.toUpper()};
+  return all.join(' ');
+}
+
+/// As by the View menu, so that the dock gets the height it has there.
+void FileOpener::show(const char* dock) {
+  auto* shown = window_->findChild<QDockWidget*>(dock);
+  if (shown->isHidden()) shown->toggleViewAction()->trigger();
+  shown->raise();
+}
+
+bool FileOpener::openCurves(const QString& fileName) {
+  if (!model_->openCurves(fileName)) return false;
+  emit model_->remarked(tr("%1 is the face now.").arg(QFileInfo(fileName).fileName()), fileName);
+  return true;
+}
+
+/// What is wrong with it is known once it is measured.
+bool FileOpener::openScan(const QString& fileName) {
+  window_->findChild<ScanPanel*>()->open(fileName);
+  return true;
+}
+
+bool FileOpener::openScanLandmarks(const QString& fileName) {
+  auto* panel = window_->findChild<ScanPanel*>();
+  const bool waits = !panel->isMeasuring() && !panel->hasScan();
+  panel->openLandmarks(fileName);
+  if (waits)
+    emit model_->remarked(
+        tr("%1 holds landmarks of a scan; they are used once a scan is opened.").arg(QFileInfo(fileName).fileName()),
+        fileName);
+  return true;
+}
+
+bool FileOpener::openMesh(const QString& fileName) {
+  return window_->findChild<Comparison*>()->openMesh(fileName);
+}
+
+bool FileOpener::openPhotograph(const QString& fileName) {
+  window_->findChild<TexturePanel*>()->open(fileName);
+  return true;
+}
+
+bool FileOpener::openPhotographMesh(const QString& fileName) {
+  if (model_->state().texture.empty()) {
+    emit model_->failed(tr("%1 says where features lie on a photograph, and none is open; open the photograph first.")
+                            .arg(QFileInfo(fileName).fileName()),
+                        fileName);
+    return false;
+  }
+  window_->findChild<TexturePanel*>()->open(fileName);
+  return true;
+}
+
+}  // namespace mien
