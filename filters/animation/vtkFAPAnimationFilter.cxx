@@ -353,8 +353,9 @@ void copyDataTime(vtkDataObject* from, vtkDataObject* to) {
 
 }  // namespace
 
-int vtkFAPAnimationFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
-  if (mien::isLaterPiece(outputs->GetInformationObject(0))) return 1;
+int vtkFAPAnimationFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                       vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
   vtkTable* table = inputs[1]->GetNumberOfInformationObjects() > 0 ? vtkTable::GetData(inputs[1]) : nullptr;
   this->UpdateProgress(0.0);

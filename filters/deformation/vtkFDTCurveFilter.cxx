@@ -136,8 +136,9 @@ int vtkFDTCurveFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector
   return 1;
 }
 
-int vtkFDTCurveFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
-  if (mien::isLaterPiece(outputs->GetInformationObject(0))) return 1;
+int vtkFDTCurveFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                   vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   vtkPolyData *input = vtkPolyData::GetData(inputs[0]), *output = vtkPolyData::GetData(outputs);
   if (input->GetNumberOfPoints() == 0) return 1;
   mien::DeformationTable table;

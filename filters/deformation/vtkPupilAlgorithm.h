@@ -62,6 +62,7 @@ class MIENDEFORMATION_EXPORT vtkPupilAlgorithm : public vtkPointSetAlgorithm {
 
  protected:
   vtkPupilAlgorithm() = default;
+  int ExecuteInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int ComputeInputUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /// The properties above as the mathematics takes them.

@@ -5,6 +5,7 @@
 #include "BoundaryCurveData.h"
 #include "CompactFaceFile.h"
 #include "GenericFaceFile.h"
+#include "SurfaceMesh.h"
 #include "XMLDataFile.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -98,7 +99,14 @@ int vtkBoundaryCurveReader::CanReadFile(const char* fileName) {
   return readAnyFace(fileName, curves).empty() ? 1 : 0;
 }
 
-int vtkBoundaryCurveReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
+int vtkBoundaryCurveReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
+  outputs->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+int vtkBoundaryCurveReader::RequestData(vtkInformation* request, vtkInformationVector**,
+                                        vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   const std::string fault = readAnyFace(this->FileName ? this->FileName : "", vtkPolyData::GetData(outputs));
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);

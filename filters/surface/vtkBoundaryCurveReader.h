@@ -33,6 +33,7 @@ class MIENSURFACE_EXPORT vtkBoundaryCurveReader : public vtkPolyDataAlgorithm {
  protected:
   vtkBoundaryCurveReader();
   ~vtkBoundaryCurveReader() override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

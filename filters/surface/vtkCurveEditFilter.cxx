@@ -47,8 +47,9 @@ int vtkCurveEditFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVecto
   return 1;
 }
 
-int vtkCurveEditFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
-  if (mien::isLaterPiece(outputs->GetInformationObject(0))) return 1;
+int vtkCurveEditFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                    vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   if (this->Edits->empty()) {

@@ -99,7 +99,8 @@ int vtkPDEFaceFilter::RequestInformation(vtkInformation*, vtkInformationVector**
 
 int vtkPDEFaceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
   mien::FaceCurves face;
-  if (!this->ReadInput(inputs, face)) return 0;
+  // Data may be asked for although the information was refused: a second update does not ask for it again.
+  if (!this->CheckResolution() || !this->ReadInput(inputs, face)) return 0;
   if (!this->MakeSurface(face, this->GetOptions(), outputs)) return 0;
   for (const char* name : {"Pupils", "HeadRotation"})
     if (vtkAbstractArray* array = vtkPolyData::GetData(inputs[0])->GetFieldData()->GetAbstractArray(name))

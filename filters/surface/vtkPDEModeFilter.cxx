@@ -120,9 +120,10 @@ bool vtkPDEModeFilter::CheckMode() {
   return false;
 }
 
-int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkPDEModeFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                  vtkInformationVector* outputs) {
   mien::FaceCurves face;
-  if (!this->CheckMode() || !this->ReadInput(inputs, face)) return 0;
+  if (!this->CheckResolution() || !this->CheckMode() || !this->ReadInput(inputs, face)) return 0;
   const mien::FaceSurfaceOptions& options = this->GetOptions();
   this->Impl->prepare(options, this->GetNumberOfRows(), this->GetNumberOfColumns(), this->GetUniformRows(),
                       face.curves.pointsPerCurve);
@@ -150,7 +151,7 @@ int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   }
   if (output->GetNumberOfPoints() > 0)
     addContribution(spectrum.contribution(this->Mode < 0 ? options.modes + 1 : this->Mode), output);
-  if (!mien::isLaterPiece(outputs->GetInformationObject(1))) fillTable(measures, vtkTable::GetData(outputs, 1));
+  if (!mien::isLaterPiece(request, outputs)) fillTable(measures, vtkTable::GetData(outputs, 1));
   return 1;
 }
 

@@ -45,6 +45,7 @@ void updatePiece(vtkAlgorithm* filter, int port, int piece, int pieces) {
 
 void expectAllInFirstPiece(vtkAlgorithm* filter, int port, vtkIdType size) {
   const ErrorCounter errors(filter);
+  updatePiece(filter, 0, 1, 3);
   for (const int piece : {1, 0, 2}) {
     updatePiece(filter, port, piece, 3);
     EXPECT_EQ(sizeOf(filter, port), piece == 0 ? size : 0) << filter->GetClassName() << ", piece " << piece;

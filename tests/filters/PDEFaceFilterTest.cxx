@@ -315,6 +315,15 @@ TEST(PDEFaceFilter, RefusesWhatItCannotSolveAndLeavesNoOutput) {
   refused([](Face& f) { f.filter->SetDerivativeStrength(NAN); }, "-1000 .. 1000");
 }
 
+TEST(PDEFaceFilter, DataAfterRefusedInformationAreRefusedToo) {
+  Face face;
+  face.filter->SetResolution(5, 40);
+  face.filter->UpdateInformation();
+  face.filter->Update();
+  EXPECT_NE(face.errors.first().find("11x3"), std::string::npos) << face.errors.first();
+  EXPECT_EQ(face.grid()->GetNumberOfPoints(), 0);
+}
+
 TEST(PDEFaceFilter, RefusesBrokenCurvesAndLeavesNoOutput) {
   refused(
       [](Face& f) {

@@ -19,17 +19,20 @@ def check(holds, sentence):
 def described(instance):
     """What PrintSelf says of the class's own properties."""
     volatile = ("Debug", "Modified Time", "Reference Count", "Registered Events", "Executive", "Information", "Progress",
-                "Error", "Abort", "0x", "Container", "Input", "Output", "Number Of")
+                "Error", "Abort", "Container", "Input", "Output", "Number Of")
     lines = [line.strip() for line in str(instance).splitlines()]
+    lines = [line.replace(" (none)", "").replace(" (the generic face)", "") for line in lines]  # as an empty name is
     return [line for line in lines if ":" in line and not line.startswith(volatile) and "0x" not in line]
 
 
 def bare(class_name):
     """An object of a class with the values that its constructor gives."""
     name = "Bare" + class_name
-    simple.LoadXML("""<ServerManagerConfiguration><ProxyGroup name="bare"><SourceProxy name="%s" class="%s" />
-      </ProxyGroup></ServerManagerConfiguration>""" % (name, class_name), ns={})
-    proxy = servermanager.ProxyManager().SMProxyManager.NewProxy("bare", name)
+    manager = servermanager.ProxyManager().SMProxyManager
+    manager.GetProxyDefinitionManager().LoadConfigurationXMLFromString(
+        '<ServerManagerConfiguration><ProxyGroup name="bare"><SourceProxy name="%s" class="%s" /></ProxyGroup>'
+        "</ServerManagerConfiguration>" % (name, class_name))
+    proxy = manager.NewProxy("bare", name)
     proxy.UpdateVTKObjects()
     return proxy.GetClientSideObject(), proxy
 

@@ -35,7 +35,7 @@ def faults_of_parts(run, ranks):
 
 def faults_of_motion(run):
     """The clock moves the face."""
-    area = [run[name]["totals"][2] for name in ("frame 0", "frame 40", "frame 150")]
+    area = [run[name]["totals"][2] for name in ("frame 0", "frame 60", "frame 150")]
     if len(set(area)) != 3:
         yield "the surface does not change with time: areas %s" % area
 

@@ -21,7 +21,8 @@ failed() { echo "test-paraview: $*" >&2; exit 1; }
 
 head -c 300 "$data/animation/demo.fap" >"$results/broken.fap"
 run "$pvbatch" "$scripts/check_proxies.py" "$plugin" "$data/animation/demo.fap" "$data/faces/generic.vtp" \
-  "$results/broken.fap" || failed "proxies and files: see above"
+  "$results/broken.fap" >"$results/proxies.log" 2>&1 || { cat "$results/proxies.log"; failed "proxies and files: see above"; }
+grep ' proxies, ' "$results/proxies.log"
 
 for ranks in 1 2 4; do
   in_ranks "$ranks" "$pvbatch" --sym "$scripts/measure_faces.py" "$plugin" "$data/animation/demo.fap" \
