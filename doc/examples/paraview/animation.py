@@ -18,12 +18,13 @@ os.makedirs(folder, exist_ok=True)
 
 frames = simple.OpenDataFile(animation)
 curves = MienGenericFace()  # or MienBoundaryCurveReader(FileName="face.vtp")
-face = MienPDEFace(Input=MienFAPAnimation(Input=curves, FAPs=frames), Resolution=[112, 80])
+surface = MienPDEFace(Input=MienFAPAnimation(Input=curves, FAPs=frames), Resolution=[112, 80])
+face = MienFacePolygons(Input=surface)  # outwards, as ParaView lights a surface by its winding
 
 view = simple.CreateRenderView(ViewSize=[600, 700], Background=[1, 1, 1], UseColorPaletteForBackground=0,
                                OrientationAxesVisibility=0)
 shown = simple.Show(face, view)
-simple.ColorBy(shown, None)
+shown.ColorArrayName = ["POINTS", ""]
 shown.DiffuseColor = [0.93, 0.76, 0.65]
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, 0, 900], [0, 0, 40], [0, 1, 0]
 view.ResetCamera()

@@ -1,6 +1,6 @@
 """How far each expression moves the skin: largest and mean displacement, as a table.
 
-usage: pvpython expressions.py        or in four processes: mpirun -np 4 pvbatch --sym expressions.py
+usage: pvpython expressions.py        or in four processes: mpirun -np 4 pvbatch expressions.py
 The plugin is that of the build tree, or the file that MIEN_PLUGIN names.
 """
 import os
