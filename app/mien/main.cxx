@@ -33,6 +33,7 @@ void addCommands(CLI::App& program) {
   mien::addSpectrumCommand(program);
   mien::addSweepCommand(program);
   mien::addInfluenceCommand(program);
+  mien::addEnsembleCommand(program);
   mien::addCompareCommand(program);
   mien::addVectorsCommand(program);
   mien::addTextureCommand(program);

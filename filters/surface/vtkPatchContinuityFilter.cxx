@@ -4,6 +4,7 @@
 
 #include "FaceCurves.h"
 #include "FaceSeams.h"
+#include "SeamColumns.h"
 #include "SurfaceMesh.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -38,16 +39,6 @@ constexpr PointArray pointArrays[] = {{"G0", &SeamMeasures::g0},
                                       {"C1", &SeamMeasures::c1},
                                       {"G2", &SeamMeasures::g2},
                                       {"C2", &SeamMeasures::c2}};
-
-struct SummaryColumn {
-  const char* name;
-  double SeamMeasures::*measure;
-  bool isMean;
-};
-constexpr SummaryColumn summaryColumns[] = {
-    {"g0_max_mm", &SeamMeasures::g0, false},     {"g1_mean_deg", &SeamMeasures::g1, true},
-    {"g1_max_deg", &SeamMeasures::g1, false},    {"c1_max", &SeamMeasures::c1, false},
-    {"g2_max_per_mm", &SeamMeasures::g2, false}, {"c2_max", &SeamMeasures::c2, false}};
 
 /// The polylines of seams first .. last - 1.
 struct SeamLines {
@@ -95,11 +86,10 @@ struct SeamLines {
 using Summaries = std::vector<mien::SeamSummary>;
 
 void addColumns(const std::string& prefix, const Summaries& rows, vtkTable* table) {
-  for (const SummaryColumn& column : summaryColumns) {
+  for (const mien::SeamColumn& column : mien::seamColumns) {
     vtkNew<vtkDoubleArray> values;
     values->SetName((prefix + column.name).c_str());
-    for (const mien::SeamSummary& row : rows)
-      values->InsertNextValue((column.isMean ? row.mean() : row.max()).*column.measure);
+    for (const mien::SeamSummary& row : rows) values->InsertNextValue(column.of(row));
     table->AddColumn(values);
   }
 }

@@ -22,6 +22,7 @@ void addContinuityCommand(CLI::App& program);
 void addSpectrumCommand(CLI::App& program);
 void addSweepCommand(CLI::App& program);
 void addInfluenceCommand(CLI::App& program);
+void addEnsembleCommand(CLI::App& program);
 void addCompareCommand(CLI::App& program);
 void addVectorsCommand(CLI::App& program);
 void addTextureCommand(CLI::App& program);

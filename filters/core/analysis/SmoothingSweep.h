@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct SmoothingSweepOptions {
   double reference = 1.0;            ///< the a from whose surface (same scheme) departures are taken
   int rows = 112, columns = 80;      ///< grid, as vtkPDEFaceFilter counts it
   int threads = 1;
+  std::set<std::string> measures;  ///< names of those that are computed, the others are NaN; empty: all
 
   /// The RMS distance of a sample to something outside of the mathematics, mm; called from several threads. Without it:
   /// NaN.
