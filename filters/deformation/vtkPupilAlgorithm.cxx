@@ -54,7 +54,6 @@ void keepPart(vtkStructuredGrid* grid, const int* wanted) {
 
 }  // namespace
 
-/// Any part of a grid can be asked for.
 int vtkPupilAlgorithm::ExecuteInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
   vtkInformation* output = outputs->GetInformationObject(0);
   const bool isGrid = output->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
