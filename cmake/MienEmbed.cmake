@@ -4,8 +4,8 @@ function(mien_embed file name out)
   set(header "${CMAKE_CURRENT_BINARY_DIR}/${name}.h")
   add_custom_command(OUTPUT "${source}" "${header}"
     COMMAND "${CMAKE_COMMAND}" "-DINPUT=${file}" "-DNAME=${name}" "-DSOURCE=${source}" "-DHEADER=${header}"
-      -P "${PROJECT_SOURCE_DIR}/cmake/EmbedFile.cmake"
-    DEPENDS "${file}" "${PROJECT_SOURCE_DIR}/cmake/EmbedFile.cmake"
+      -P "${Mien_SOURCE_DIR}/cmake/EmbedFile.cmake"
+    DEPENDS "${file}" "${Mien_SOURCE_DIR}/cmake/EmbedFile.cmake"
     VERBATIM)
   set(${out} "${source}" PARENT_SCOPE)
 endfunction()

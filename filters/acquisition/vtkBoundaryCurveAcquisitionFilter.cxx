@@ -107,8 +107,9 @@ int vtkBoundaryCurveAcquisitionFilter::RequestUpdateExtent(vtkInformation*, vtkI
   return 1;
 }
 
-int vtkBoundaryCurveAcquisitionFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+int vtkBoundaryCurveAcquisitionFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                                    vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   *this->Acquired = mien::AcquiredScan();
   const std::string fault = this->Measure(vtkPolyData::GetData(inputs[0]));
   if (this->GetAbortExecute()) return 1;

@@ -2,6 +2,7 @@
 
 #include "MeshData.h"
 #include "ScanFile.h"
+#include "SurfaceMesh.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -17,7 +18,13 @@ vtkScanReader::~vtkScanReader() {
   this->SetFileName(nullptr);
 }
 
-int vtkScanReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
+int vtkScanReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
+  outputs->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+int vtkScanReader::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   const std::string name = this->FileName ? this->FileName : "";
   mien::TriangleMesh mesh;
   const std::string fault = mien::readScanFile(name, mesh);

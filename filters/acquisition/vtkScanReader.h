@@ -27,6 +27,7 @@ class MIENACQUISITION_EXPORT vtkScanReader : public vtkPolyDataAlgorithm {
  protected:
   vtkScanReader();
   ~vtkScanReader() override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

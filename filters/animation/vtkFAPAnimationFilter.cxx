@@ -13,6 +13,7 @@
 #include "FAPTableData.h"
 #include "FaceAnimator.h"
 #include "HighLevelFAPs.h"
+#include "SurfaceMesh.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -248,6 +249,8 @@ int vtkFAPAnimationFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVe
                                                vtkInformationVector* outputs) {
   using SDDP = vtkStreamingDemandDrivenPipeline;
   vtkInformation* frames = inputs[1]->GetInformationObject(0);
+  mien::requestWhole(inputs[0]->GetInformationObject(0));
+  mien::requestWhole(frames);
   if (frames) passTime(outputs->GetInformationObject(0), frames, SDDP::UPDATE_TIME_STEP());
   return 1;
 }
@@ -350,7 +353,9 @@ void copyDataTime(vtkDataObject* from, vtkDataObject* to) {
 
 }  // namespace
 
-int vtkFAPAnimationFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkFAPAnimationFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                       vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
   vtkTable* table = inputs[1]->GetNumberOfInformationObjects() > 0 ? vtkTable::GetData(inputs[1]) : nullptr;
   this->UpdateProgress(0.0);

@@ -9,6 +9,7 @@
 #include "AnimationText.h"
 #include "AnimationTextFile.h"
 #include "FAPTableData.h"
+#include "SurfaceMesh.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -127,6 +128,7 @@ int vtkFAPReader::RequestInformation(vtkInformation*, vtkInformationVector**, vt
   using SDDP = vtkStreamingDemandDrivenPipeline;
   const double range[2] = {0.0, this->Sequence->duration()};
   vtkInformation* information = outputs->GetInformationObject(0);
+  information->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
   information->Remove(SDDP::TIME_STEPS());
   information->Remove(SDDP::TIME_RANGE());
   if (this->FrameIndex >= 0) return 1;
@@ -135,7 +137,14 @@ int vtkFAPReader::RequestInformation(vtkInformation*, vtkInformationVector**, vt
   return 1;
 }
 
-int vtkFAPReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
+int vtkFAPReader::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
+  // Data may be asked for although the information was refused: a second update does not ask for it again.
+  const std::string fault = this->Load();
+  if (!fault.empty()) {
+    vtkErrorMacro(<< fault);
+    return 0;
+  }
   const mien::FAPSequence& sequence = *this->Sequence;
   if (this->FrameIndex < -1 || this->FrameIndex >= this->GetNumberOfFrames()) {
     vtkErrorMacro(<< this->Loaded.Name << ": there is no frame with index " << this->FrameIndex << "; give 0 to "

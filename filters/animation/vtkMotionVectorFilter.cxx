@@ -20,6 +20,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStructuredGrid.h"
 
 vtkStandardNewMacro(vtkMotionVectorFilter);
 
@@ -78,9 +79,21 @@ vtkDoubleArray* addArray(vtkPolyData* output, const char* name, int components) 
   return array;
 }
 
-void addVertices(vtkPolyData* output) {
+/// Neighbouring pieces of a grid share the points of their border: only the lower piece gives them a vertex.
+bool belongsToLowerPiece(const int* extent, const int* whole, vtkIdType point) {
+  const vtkIdType columns = extent[1] - extent[0] + 1, rows = extent[3] - extent[2] + 1;
+  const vtkIdType place[3] = {point % columns, point / columns % rows, point / columns / rows};
+  for (int axis = 0; axis < 3; ++axis)
+    if (place[axis] == 0 && extent[2 * axis] > whole[2 * axis]) return true;
+  return false;
+}
+
+void addVertices(vtkPointSet* origin, vtkInformation* input, vtkPolyData* output) {
+  auto* grid = vtkStructuredGrid::SafeDownCast(origin);
+  const int* whole = grid && input->Has(SDDP::WHOLE_EXTENT()) ? input->Get(SDDP::WHOLE_EXTENT()) : nullptr;
   vtkNew<vtkCellArray> vertices;
-  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i) vertices->InsertNextCell(1, &i);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    if (!whole || !belongsToLowerPiece(grid->GetExtent(), whole, i)) vertices->InsertNextCell(1, &i);
   output->SetVerts(vertices);
 }
 
@@ -207,7 +220,7 @@ bool vtkMotionVectorFilter::Write(vtkPointSet* neutral, const Field& field, vtkP
   output->SetPoints(points);
   output->GetPointData()->ShallowCopy(neutral->GetPointData());
   if (this->RemoveHeadRotation) undoHeadRotationOfNormals(neutral, output);
-  addVertices(output);
+  addVertices(neutral, this->GetInputInformation(1, 0), output);
   vtkDoubleArray* vectors = addArray(output, "MotionVector", 3);
   vtkDoubleArray* magnitudes = addArray(output, "Magnitude", 1);
   vtkDoubleArray* origins = addArray(output, "ProjectedOrigin", 2);

@@ -13,10 +13,10 @@
  * vtkFAPAnimationFilter writes it); with RemoveRigidMotion the rigid motion of the part that keeps its shape is then
  * undone: least squares [Kabsch 1976] with weights that leave out what moves by itself (mien::fitStillPart). With
  * neither a vector is the difference of its points to the bit. Time: the steps of both inputs are published, and a time
- * request is passed on to both. Pieces: those of the inputs; while RemoveRigidMotion is on, all is in piece 0, because
- * the fit needs all points. Limitations: the fit needs a quarter of the points, at least, that move with the head
- * alone. Errors: an input without points, points that are not finite, different topology, a `HeadRotation` that is
- * none, a view up along the view direction.
+ * request is passed on to both. Pieces: those of the inputs, points that two pieces of a grid share having a vertex in
+ * one of them; while RemoveRigidMotion is on, all is in piece 0, because the fit needs all points. Limitations: the fit
+ * needs a quarter of the points, at least, that move with the head alone. Errors: an input without points, points that
+ * are not finite, different topology, a `HeadRotation` that is none, a view up along the view direction.
  * @sa vtkFAPAnimationFilter
  */
 #ifndef vtkMotionVectorFilter_h

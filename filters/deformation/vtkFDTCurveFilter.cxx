@@ -9,6 +9,7 @@
 #include "GridSides.h"
 #include "MouthCorners.h"
 #include "MovedCurveOrder.h"
+#include "SurfaceMesh.h"
 #include "TableDeformation.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -130,7 +131,14 @@ int vtkFDTCurveFilter::FillInputPortInformation(int port, vtkInformation* info) 
   return 1;
 }
 
-int vtkFDTCurveFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkFDTCurveFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*) {
+  for (int port = 0; port < 2; ++port) mien::requestWhole(inputs[port]->GetInformationObject(0));
+  return 1;
+}
+
+int vtkFDTCurveFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                   vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   vtkPolyData *input = vtkPolyData::GetData(inputs[0]), *output = vtkPolyData::GetData(outputs);
   if (input->GetNumberOfPoints() == 0) return 1;
   mien::DeformationTable table;

@@ -52,6 +52,7 @@ class MIENDEFORMATION_EXPORT vtkFDTCurveFilter : public vtkPolyDataAlgorithm {
  protected:
   vtkFDTCurveFilter();
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

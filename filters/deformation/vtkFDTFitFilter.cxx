@@ -2,6 +2,7 @@
 
 #include "FDTData.h"
 #include "FaceFrame.h"
+#include "SurfaceMesh.h"
 #include "TableFit.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -84,7 +85,9 @@ int vtkFDTFitFilter::RequestDataObject(vtkInformation*, vtkInformationVector**, 
   return 1;
 }
 
-int vtkFDTFitFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkFDTFitFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                 vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   vtkPointSet *neutral = vtkPointSet::GetData(inputs[0]), *expression = vtkPointSet::GetData(inputs[1]);
   mien::FaceFrameOptions options = this->GetFrameOptions();
   // The chin's way down turns the pose that landmarks tell: two states must not be turned by different poses.

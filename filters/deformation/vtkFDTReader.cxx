@@ -2,6 +2,9 @@
 
 #include "FDTData.h"
 #include "NamedTables.h"
+#include "SurfaceMesh.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkTable.h"
 
@@ -15,7 +18,13 @@ vtkFDTReader::~vtkFDTReader() {
   this->SetFileName(nullptr);
 }
 
-int vtkFDTReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
+int vtkFDTReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
+  outputs->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+int vtkFDTReader::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   mien::DeformationTable table;
   const std::string name = this->FileName ? this->FileName : "";
   const std::string fault =

@@ -27,6 +27,7 @@ class MIENDEFORMATION_EXPORT vtkFDTReader : public vtkTableAlgorithm {
  protected:
   vtkFDTReader();
   ~vtkFDTReader() override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

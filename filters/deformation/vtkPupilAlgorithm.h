@@ -62,6 +62,8 @@ class MIENDEFORMATION_EXPORT vtkPupilAlgorithm : public vtkPointSetAlgorithm {
 
  protected:
   vtkPupilAlgorithm() = default;
+  /// Any part of a grid can be asked for.
+  int ExecuteInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int ComputeInputUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /// The properties above as the mathematics takes them.

@@ -1,5 +1,6 @@
 #include "SurfaceMesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -8,8 +9,10 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOrderedGeometryFilter.h"
@@ -97,10 +100,20 @@ void requestWhole(vtkInformation* input) {
     input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
 }
 
+vtkInformation* askedOutput(vtkInformation* request, vtkInformationVector* outputs) {
+  const bool isOne = request && request->Has(vtkExecutive::FROM_OUTPUT_PORT());
+  return outputs->GetInformationObject(isOne ? std::max(request->Get(vtkExecutive::FROM_OUTPUT_PORT()), 0) : 0);
+}
+
+bool isLaterPiece(vtkInformation* request, vtkInformationVector* outputs) {
+  return askedOutput(request, outputs)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0;
+}
+
 void offerGrid(vtkInformation* output, int rows, int columns) {
   const int extent[6] = {0, columns, 0, rows - 1, 0, 0};
   output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   output->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  output->Remove(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST());  // that of the curves: it would leave pieces to the filter
 }
 
 vtkSmartPointer<vtkPolyData> visibleSurface(vtkDataObject* data) {

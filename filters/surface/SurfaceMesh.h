@@ -7,12 +7,19 @@
 
 class vtkDataObject;
 class vtkInformation;
+class vtkInformationVector;
 class vtkPolyData;
 
 namespace mien {
 
 /// Asks an input for all of its data, whatever part of an output is wanted; an input that is not there is none.
 void requestWhole(vtkInformation* input);
+
+/// The output that is asked for: VTK takes all outputs of an update as the piece that this one wants.
+vtkInformation* askedOutput(vtkInformation* request, vtkInformationVector* outputs);
+
+/// Whether another piece than the first is asked for, of data that are all in the first.
+bool isLaterPiece(vtkInformation* request, vtkInformationVector* outputs);
 
 /// Announces a structured grid of rows x columns, the closing column added, of which any part can be asked for.
 void offerGrid(vtkInformation* output, int rows, int columns);

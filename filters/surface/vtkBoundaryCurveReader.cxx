@@ -5,6 +5,7 @@
 #include "BoundaryCurveData.h"
 #include "CompactFaceFile.h"
 #include "GenericFaceFile.h"
+#include "SurfaceMesh.h"
 #include "XMLDataFile.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -19,6 +20,9 @@
 vtkStandardNewMacro(vtkBoundaryCurveReader);
 
 namespace {
+
+/// 29 curves of 4096 points as text are 9 MB; what is much larger is another surface and not worth reading.
+constexpr unsigned long largestFaceFile = 64UL << 20;
 
 /// @return nothing, or the file's name and what is wrong with it
 std::string readXML(const std::string& name, vtkXMLPolyDataReader* reader) {
@@ -74,6 +78,11 @@ std::string readCompact(const std::string& name, vtkPolyData* output) {
   return {};
 }
 
+/// @return nothing, or one sentence that names the file
+std::string readAnyFace(const std::string& name, vtkPolyData* output) {
+  return mien::isCompactFaceFile(name) ? readCompact(name, output) : readFace(name, output);
+}
+
 }  // namespace
 
 vtkBoundaryCurveReader::vtkBoundaryCurveReader() {
@@ -84,10 +93,21 @@ vtkBoundaryCurveReader::~vtkBoundaryCurveReader() {
   this->SetFileName(nullptr);
 }
 
-int vtkBoundaryCurveReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
-  const std::string name = this->FileName ? this->FileName : "";
-  vtkPolyData* output = vtkPolyData::GetData(outputs);
-  const std::string fault = mien::isCompactFaceFile(name) ? readCompact(name, output) : readFace(name, output);
+int vtkBoundaryCurveReader::CanReadFile(const char* fileName) {
+  if (!fileName || !*fileName || vtksys::SystemTools::FileLength(fileName) > largestFaceFile) return 0;
+  vtkNew<vtkPolyData> curves;
+  return readAnyFace(fileName, curves).empty() ? 1 : 0;
+}
+
+int vtkBoundaryCurveReader::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) {
+  outputs->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+int vtkBoundaryCurveReader::RequestData(vtkInformation* request, vtkInformationVector**,
+                                        vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
+  const std::string fault = readAnyFace(this->FileName ? this->FileName : "", vtkPolyData::GetData(outputs));
   if (!fault.empty()) {
     vtkErrorMacro(<< fault);
     return 0;

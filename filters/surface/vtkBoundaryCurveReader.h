@@ -26,9 +26,14 @@ class MIENSURFACE_EXPORT vtkBoundaryCurveReader : public vtkPolyDataAlgorithm {
   vtkGetFilePathMacro(FileName);
   ///@}
 
+  /** Whether a file holds boundary curves without a fault: 1 or 0, in silence. Files beyond 64 MB are not looked into.
+   */
+  static int CanReadFile(const char* fileName);
+
  protected:
   vtkBoundaryCurveReader();
   ~vtkBoundaryCurveReader() override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

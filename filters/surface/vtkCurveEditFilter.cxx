@@ -3,6 +3,7 @@
 #include "BoundaryCurveData.h"
 #include "CurveEdit.h"
 #include "FaceLayout.h"
+#include "SurfaceMesh.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -41,7 +42,14 @@ void vtkCurveEditFilter::RemoveAllEdits() {
   this->SetEdits({});
 }
 
-int vtkCurveEditFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkCurveEditFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*) {
+  mien::requestWhole(inputs[0]->GetInformationObject(0));
+  return 1;
+}
+
+int vtkCurveEditFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                    vtkInformationVector* outputs) {
+  if (mien::isLaterPiece(request, outputs)) return 1;
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   if (this->Edits->empty()) {

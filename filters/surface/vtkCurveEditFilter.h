@@ -5,9 +5,9 @@
  * Input: vtkPolyData, the boundary curves of a face (BoundaryCurveData.h, mm).
  * Output: vtkPolyData, the edited curves with feature points and pupils; without edits the input as it is, bit for bit.
  *
- * The edits are made in their order; see CurveEdit.h for the fall-off. Feature points keep their addresses, pupils
- * follow the lids. Errors: an input that is no face, a value out of range, an edit that makes curves cross (edit and
- * curves are named); there is no output then.
+ * All curves are in piece 0. The edits are made in their order; see CurveEdit.h for the fall-off. Feature points keep
+ * their addresses, pupils follow the lids. Errors: an input that is no face, a value out of range, an edit that makes
+ * curves cross (edit and curves are named); there is no output then.
  * @sa vtkBoundaryCurveReader vtkFAPAnimationFilter
  */
 #ifndef vtkCurveEditFilter_h
@@ -46,6 +46,7 @@ class MIENSURFACE_EXPORT vtkCurveEditFilter : public vtkPolyDataAlgorithm {
  protected:
   vtkCurveEditFilter();
   ~vtkCurveEditFilter() override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

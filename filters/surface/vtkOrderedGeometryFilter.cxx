@@ -38,12 +38,20 @@ void sortPolygons(vtkPolyData* surface, const vtkIdType* keys) {
   surface->GetCellData()->ShallowCopy(data);
 }
 
+void reversePolygons(vtkPolyData* surface) {
+  vtkNew<vtkCellArray> reversed;
+  reversed->DeepCopy(surface->GetPolys());
+  for (vtkIdType cell = 0; cell < reversed->GetNumberOfCells(); ++cell) reversed->ReverseCellAtId(cell);
+  surface->SetPolys(reversed);
+}
+
 }  // namespace
 
 int vtkOrderedGeometryFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                           vtkInformationVector* outputs) {
   const int result = this->Superclass::RequestData(request, inputs, outputs);
   auto* const surface = vtkPolyData::GetData(outputs);
+  if (this->Reversed) reversePolygons(surface);
   const char* const name = this->GetOriginalCellIdsName();
   auto* const ids = vtkIdTypeArray::SafeDownCast(surface->GetCellData()->GetArray(name));
   if (!ids) return result;
@@ -53,4 +61,9 @@ int vtkOrderedGeometryFilter::RequestData(vtkInformation* request, vtkInformatio
   if (polygonsOnly && !std::is_sorted(keys, keys + count)) sortPolygons(surface, keys);
   surface->GetCellData()->RemoveArray(name);
   return result;
+}
+
+void vtkOrderedGeometryFilter::PrintSelf(ostream& os, vtkIndent indent) {
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Reversed: " << (this->Reversed ? "on" : "off") << "\n";
 }

@@ -19,6 +19,15 @@ class MIENSURFACE_EXPORT vtkOrderedGeometryFilter : public vtkGeometryFilter {
  public:
   static vtkOrderedGeometryFilter* New();
   vtkTypeMacro(vtkOrderedGeometryFilter, vtkGeometryFilter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Whether polygons are wound the other way: those of a PDE face, which VTK winds inwards, then face outwards as
+   * their normals do, which is what lights a picture. Default off. */
+  vtkSetMacro(Reversed, bool);
+  vtkGetMacro(Reversed, bool);
+  vtkBooleanMacro(Reversed, bool);
+  ///@}
 
  protected:
   vtkOrderedGeometryFilter() { this->PassThroughCellIdsOn(); }
@@ -27,6 +36,8 @@ class MIENSURFACE_EXPORT vtkOrderedGeometryFilter : public vtkGeometryFilter {
  private:
   vtkOrderedGeometryFilter(const vtkOrderedGeometryFilter&) = delete;
   void operator=(const vtkOrderedGeometryFilter&) = delete;
+
+  bool Reversed = false;
 };
 
 #endif

@@ -85,8 +85,8 @@ int vtkPDEFaceFilter::FillOutputPortInformation(int, vtkInformation* info) {
 }
 
 bool vtkPDEFaceFilter::CheckResolution() {
-  const std::string fault =
-      mien::describeResolutionFault(this->NumberOfRows, this->NumberOfColumns, mien::RowLayout::minimumRows);
+  const auto& describe = this->IsMadeInParts() ? mien::describePartedResolutionFault : mien::describeResolutionFault;
+  const std::string fault = describe(this->NumberOfRows, this->NumberOfColumns, mien::RowLayout::minimumRows);
   if (!fault.empty()) vtkErrorMacro(<< fault);
   return fault.empty();
 }
@@ -99,7 +99,8 @@ int vtkPDEFaceFilter::RequestInformation(vtkInformation*, vtkInformationVector**
 
 int vtkPDEFaceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
   mien::FaceCurves face;
-  if (!this->ReadInput(inputs, face)) return 0;
+  // Data may be asked for although the information was refused: a second update does not ask for it again.
+  if (!this->CheckResolution() || !this->ReadInput(inputs, face)) return 0;
   if (!this->MakeSurface(face, this->GetOptions(), outputs)) return 0;
   for (const char* name : {"Pupils", "HeadRotation"})
     if (vtkAbstractArray* array = vtkPolyData::GetData(inputs[0])->GetFieldData()->GetAbstractArray(name))
@@ -114,14 +115,21 @@ bool vtkPDEFaceFilter::MakeSurface(const mien::FaceCurves& face, const mien::Fac
   layout.curvatures = this->GenerateCurvatures;
   outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), layout.extent);
   if (layout.extent[1] < layout.extent[0] || layout.extent[3] < layout.extent[2]) return true;
+  std::string fault =
+      mien::describePartFault(layout.extent[3] - layout.extent[2] + 1, layout.extent[1] - layout.extent[0]);
+  if (fault.empty()) fault = this->FillGrid(face, options, rows, layout, vtkStructuredGrid::GetData(outputs));
+  if (!fault.empty()) vtkErrorMacro(<< fault);
+  return fault.empty();
+}
+
+std::string vtkPDEFaceFilter::FillGrid(const mien::FaceCurves& face, const mien::FaceSurfaceOptions& options,
+                                       const mien::RowLayout& rows, const mien::SurfaceGridLayout& layout,
+                                       vtkStructuredGrid* output) {
   this->Impl->prepare(options, rows, layout, face.curves.pointsPerCurve,
                       this->OutputPointsPrecision == DOUBLE_PRECISION);
   const std::string fault = this->Impl->grid->fault();
-  if (fault.empty())
-    this->Impl->grid->execute(face.curves, this->GenerateDerivatives, this, vtkStructuredGrid::GetData(outputs));
-  else
-    vtkErrorMacro(<< fault);
-  return fault.empty();
+  if (fault.empty()) this->Impl->grid->execute(face.curves, this->GenerateDerivatives, this, output);
+  return fault;
 }
 
 void vtkPDEFaceFilter::PrintSelf(ostream& os, vtkIndent indent) {

@@ -22,6 +22,11 @@
 
 class vtkStructuredGrid;
 
+namespace mien {
+class RowLayout;
+struct SurfaceGridLayout;
+}  // namespace mien
+
 class MIENSURFACE_EXPORT vtkPDEFaceFilter : public vtkPDEFaceAlgorithm {
  public:
   static vtkPDEFaceFilter* New();
@@ -32,8 +37,8 @@ class MIENSURFACE_EXPORT vtkPDEFaceFilter : public vtkPDEFaceAlgorithm {
   vtkStructuredGrid* GetOutput();
 
   ///@{
-  /** Rows (u, both lip rows counted) and columns (v, without the closing one). Default 56 x 40; rows 11 ..,
-   *  columns 3 .., together at most 134217728 points. */
+  /** Rows (u, both lip rows counted) and columns (v, without the closing one). Default 56 x 40; rows 11 ..
+   *  100000, columns 3 .. 100000, at most 134217728 points in a part that is asked for. */
   void SetResolution(int rows, int columns);
   vtkGetMacro(NumberOfRows, int);
   vtkGetMacro(NumberOfColumns, int);
@@ -79,6 +84,9 @@ class MIENSURFACE_EXPORT vtkPDEFaceFilter : public vtkPDEFaceAlgorithm {
   /// False, after an error, when the resolution is too coarse or too fine.
   bool CheckResolution();
 
+  /// Whether only the part that is asked for is computed, so that the whole may be larger than memory. Default true.
+  virtual bool IsMadeInParts() const { return true; }
+
   /// Writes the surface that `options` make of the curves into the part of the grid that is wanted on port 0; leaves it
   /// empty when aborted. False, after an error, when the conditions determine no surface.
   bool MakeSurface(const mien::FaceCurves& face, const mien::FaceSurfaceOptions& options,
@@ -87,6 +95,9 @@ class MIENSURFACE_EXPORT vtkPDEFaceFilter : public vtkPDEFaceAlgorithm {
  private:
   vtkPDEFaceFilter(const vtkPDEFaceFilter&) = delete;
   void operator=(const vtkPDEFaceFilter&) = delete;
+
+  std::string FillGrid(const mien::FaceCurves& face, const mien::FaceSurfaceOptions& options,
+                       const mien::RowLayout& rows, const mien::SurfaceGridLayout& layout, vtkStructuredGrid* output);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

@@ -5,6 +5,7 @@
 
 #include "FaceCurves.h"
 #include "SurfaceInfluence.h"
+#include "SurfaceMesh.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -121,10 +122,11 @@ std::string vtkPDEInfluenceFilter::DescribeFault(int pointsPerCurve) const {
   return {};
 }
 
-int vtkPDEInfluenceFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkPDEInfluenceFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                       vtkInformationVector* outputs) {
   std::fill(this->Impl->halfWidths, this->Impl->halfWidths + 4, undefined);
   mien::FaceCurves face;
-  if (!this->ReadInput(inputs, face)) return 0;
+  if (!this->CheckResolution() || !this->ReadInput(inputs, face)) return 0;
   std::string fault = this->DescribeFault(face.curves.pointsPerCurve);
   const mien::RowLayout layout(this->GetNumberOfRows(), this->GetUniformRows());
   const mien::InfluenceSource source = {mien::FaceLayout::curveIndex(this->Curve), this->Point};
@@ -141,11 +143,12 @@ int vtkPDEInfluenceFilter::RequestData(vtkInformation*, vtkInformationVector** i
   }
   this->UpdateProgress(0.5);
   if (this->GetAbortExecute()) return 1;
-  return this->MakeSurface(face, this->GetOptions(), outputs) ? this->FillOutputs({influence}, layout, outputs) : 0;
+  return this->MakeSurface(face, this->GetOptions(), outputs) ? this->FillOutputs({influence}, layout, request, outputs)
+                                                              : 0;
 }
 
 int vtkPDEInfluenceFilter::FillOutputs(const mien::InfluenceGrid& influence, const mien::RowLayout& layout,
-                                       vtkInformationVector* outputs) {
+                                       vtkInformation* request, vtkInformationVector* outputs) {
   vtkStructuredGrid* grid = vtkStructuredGrid::GetData(outputs, 0);
   if (this->GetAbortExecute()) {
     grid->Initialize();
@@ -156,7 +159,7 @@ int vtkPDEInfluenceFilter::FillOutputs(const mien::InfluenceGrid& influence, con
   std::copy(widths, widths + 4, this->Impl->halfWidths);
   if (grid->GetNumberOfPoints() > 0)
     grid->GetPointData()->AddArray(influenceArray(influence.values, this->Direction, grid));
-  fillProfile(profile, vtkTable::GetData(outputs, portOfProfile));
+  if (!mien::isLaterPiece(request, outputs)) fillProfile(profile, vtkTable::GetData(outputs, portOfProfile));
   return 1;
 }
 

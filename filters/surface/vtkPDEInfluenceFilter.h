@@ -65,6 +65,7 @@ class MIENSURFACE_EXPORT vtkPDEInfluenceFilter : public vtkPDEFaceFilter {
   vtkPDEInfluenceFilter();
   ~vtkPDEInfluenceFilter() override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  bool IsMadeInParts() const override { return false; }
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:
@@ -72,7 +73,8 @@ class MIENSURFACE_EXPORT vtkPDEInfluenceFilter : public vtkPDEFaceFilter {
   void operator=(const vtkPDEInfluenceFilter&) = delete;
 
   std::string DescribeFault(int pointsPerCurve) const;
-  int FillOutputs(const mien::InfluenceGrid& influence, const mien::RowLayout& layout, vtkInformationVector* outputs);
+  int FillOutputs(const mien::InfluenceGrid& influence, const mien::RowLayout& layout, vtkInformation* request,
+                  vtkInformationVector* outputs);
 
   struct Internals;
   std::unique_ptr<Internals> Impl;

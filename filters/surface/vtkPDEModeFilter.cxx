@@ -4,6 +4,7 @@
 
 #include "FaceCurves.h"
 #include "ModeSpectrum.h"
+#include "SurfaceMesh.h"
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
@@ -119,9 +120,10 @@ bool vtkPDEModeFilter::CheckMode() {
   return false;
 }
 
-int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkPDEModeFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
+                                  vtkInformationVector* outputs) {
   mien::FaceCurves face;
-  if (!this->CheckMode() || !this->ReadInput(inputs, face)) return 0;
+  if (!this->CheckResolution() || !this->CheckMode() || !this->ReadInput(inputs, face)) return 0;
   const mien::FaceSurfaceOptions& options = this->GetOptions();
   this->Impl->prepare(options, this->GetNumberOfRows(), this->GetNumberOfColumns(), this->GetUniformRows(),
                       face.curves.pointsPerCurve);
@@ -149,7 +151,7 @@ int vtkPDEModeFilter::RequestData(vtkInformation*, vtkInformationVector** inputs
   }
   if (output->GetNumberOfPoints() > 0)
     addContribution(spectrum.contribution(this->Mode < 0 ? options.modes + 1 : this->Mode), output);
-  fillTable(measures, vtkTable::GetData(outputs, 1));
+  if (!mien::isLaterPiece(request, outputs)) fillTable(measures, vtkTable::GetData(outputs, 1));
   return 1;
 }
 

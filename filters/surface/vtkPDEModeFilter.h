@@ -9,8 +9,8 @@
  * remainder. Columns `mode` ("0" .. or "remainder"), `rms_mm`, `max_mm`, `energy_share` (they sum to 1),
  * `cumulative_rms_error_mm` (what the sum up to this row still lacks of the surface). RMS values are over u and v, not
  * over area: exact in v by Parseval's theorem, trapezoidal in u over the rows; the maximum is over the grid's points.
- * Mode 0 is measured from the surface's centroid, or the origin would decide. The table is that of the whole grid
- * whatever part of it is wanted.
+ * Mode 0 is measured from the surface's centroid, or the origin would decide. The table is that of the whole grid,
+ * in piece 0 of what is wanted.
  *
  * Equation: S = sum over j of U_j(u) B_j(v) [Sheng et al. 2011, eq. 9-11].
  * Errors: those of vtkPDEFaceFilter, and a mode that the surface does not have.
@@ -56,6 +56,7 @@ class MIENSURFACE_EXPORT vtkPDEModeFilter : public vtkPDEFaceFilter {
   vtkPDEModeFilter();
   ~vtkPDEModeFilter() override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  bool IsMadeInParts() const override { return false; }
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
  private:

@@ -157,15 +157,16 @@ int vtkPDEPatchFilter::RequestUpdateExtent(vtkInformation*, vtkInformationVector
 int vtkPDEPatchFilter::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   mien::ClosedCurves curves;
-  std::string fault = mien::readClosedCurves(input, curves);
+  std::string fault = mien::describeResolutionFault(this->NumberOfRows, this->NumberOfColumns, minimumRows);
+  if (fault.empty()) fault = mien::readClosedCurves(input, curves);
   std::vector<mien::Condition> conditions = this->Impl->conditions;
   if (conditions.empty() && fault.empty()) fault = readConditions(input, conditions);
   if (conditions.empty()) conditions = evenConditions(curves.count);
   if (fault.empty()) fault = describeFault(conditions, curves.count);
   if (fault.empty()) fault = describeFault(this->Smoothing, this->NumberOfModes, curves.pointsPerCurve);
-  mien::SurfaceGridLayout layout = patchLayout(this->NumberOfRows, this->NumberOfColumns);
-  outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), layout.extent);
   if (fault.empty()) {
+    mien::SurfaceGridLayout layout = patchLayout(this->NumberOfRows, this->NumberOfColumns);
+    outputs->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), layout.extent);
     const mien::HarmonicSplit split(curves.pointsPerCurve, this->NumberOfModes, this->Remainder);
     const auto grid = mien::SurfaceGrid::make({patchPiece(conditions, this->Smoothing, layout.faceU)}, split,
                                               curves.count, layout, this->OutputPointsPrecision == DOUBLE_PRECISION);

@@ -5,6 +5,7 @@
 #include "FaceCurves.h"
 #include "FaceSeams.h"
 #include "SeamColumns.h"
+#include "SurfaceMesh.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -148,21 +149,24 @@ int vtkPatchContinuityFilter::FillOutputPortInformation(int port, vtkInformation
   return 1;
 }
 
+bool vtkPatchContinuityFilter::CheckSamples() {
+  if (this->NumberOfSamples >= minimumSamples && this->NumberOfSamples <= maximumSamples) return true;
+  vtkErrorMacro(<< this->NumberOfSamples << " samples per seam are outside " << minimumSamples << " .. "
+                << maximumSamples);
+  return false;
+}
+
 int vtkPatchContinuityFilter::RequestInformation(vtkInformation*, vtkInformationVector**,
                                                  vtkInformationVector* outputs) {
-  if (this->NumberOfSamples < minimumSamples || this->NumberOfSamples > maximumSamples) {
-    vtkErrorMacro(<< this->NumberOfSamples << " samples per seam are outside " << minimumSamples << " .. "
-                  << maximumSamples);
-    return 0;
-  }
+  if (!this->CheckSamples()) return 0;
   for (int port = 0; port < 2; ++port) outputs->GetInformationObject(port)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }
 
-int vtkPatchContinuityFilter::RequestData(vtkInformation*, vtkInformationVector** inputs,
+int vtkPatchContinuityFilter::RequestData(vtkInformation* request, vtkInformationVector** inputs,
                                           vtkInformationVector* outputs) {
   mien::FaceCurves face;
-  if (!this->ReadInput(inputs, face)) return 0;
+  if (!this->CheckSamples() || !this->ReadInput(inputs, face)) return 0;
   this->Impl->prepare(this->GetOptions(), face.curves.pointsPerCurve, this->NumberOfSamples);
   FaceSeams& seams = *this->Impl->seams;
   if (!seams.fault().empty()) {
@@ -172,12 +176,12 @@ int vtkPatchContinuityFilter::RequestData(vtkInformation*, vtkInformationVector*
   seams.setCurves(face.curves);
   this->UpdateProgress(0.8);
   if (this->GetAbortExecute()) return 1;
-  vtkInformation* info = outputs->GetInformationObject(0);
+  vtkInformation* info = mien::askedOutput(request, outputs);
   const int piece = info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
   const int pieces = std::max(1, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()));
   const auto share = [&](int i) { return static_cast<int>(static_cast<long long>(FaceSeams::seamCount) * i / pieces); };
   SeamLines{seams, share(piece), share(piece + 1)}.fill(vtkPolyData::GetData(outputs, 0));
-  fillSummary(seams, vtkTable::GetData(outputs, 1));
+  if (!mien::isLaterPiece(request, outputs)) fillSummary(seams, vtkTable::GetData(outputs, 1));
   return 1;
 }
 

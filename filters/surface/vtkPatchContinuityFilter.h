@@ -54,6 +54,8 @@ class MIENSURFACE_EXPORT vtkPatchContinuityFilter : public vtkPDEFaceAlgorithm {
   vtkPatchContinuityFilter(const vtkPatchContinuityFilter&) = delete;
   void operator=(const vtkPatchContinuityFilter&) = delete;
 
+  bool CheckSamples();
+
   struct Internals;
   std::unique_ptr<Internals> Impl;
   int NumberOfSamples = 400;

@@ -122,3 +122,14 @@ TEST(BoundaryCurveReader, OtherFilesAreRefused) {
   };
   expectDataRefused(pointsOnly, "there are no lines");
 }
+
+TEST(BoundaryCurveReader, KnowsInSilenceWhatItCanRead) {
+  const TemporaryFolder folder;
+  writeTextFile(folder.file("other.vtp"), "<VTKFile type=\"PolyData\"><PolyData/></VTKFile>");
+  EXPECT_EQ(vtkBoundaryCurveReader::CanReadFile(MIEN_DATA_DIR "/faces/generic.vtp"), 1);
+  EXPECT_EQ(vtkBoundaryCurveReader::CanReadFile(folder.file("other.vtp").c_str()), 0);
+  EXPECT_EQ(vtkBoundaryCurveReader::CanReadFile(folder.file("missing.vtp").c_str()), 0);
+  EXPECT_EQ(vtkBoundaryCurveReader::CanReadFile(MIEN_DATA_DIR "/animation/demo.fap"), 0);
+  EXPECT_EQ(vtkBoundaryCurveReader::CanReadFile(""), 0);
+  EXPECT_EQ(vtkBoundaryCurveReader::CanReadFile(nullptr), 0);
+}

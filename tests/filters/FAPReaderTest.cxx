@@ -238,3 +238,26 @@ TEST_F(FAPReader, PlaysEveryReferenceFile) {
   }
   EXPECT_GE(files, 14);
 }
+
+TEST_F(FAPReader, DataAfterRefusedInformationAreRefusedToo) {
+  reader->Update();
+  writeTextFile(path, "no animation\n");
+  reader->Modified();
+  mien::PipelineErrors errors;
+  errors.observe(reader);
+  reader->UpdateInformation();
+  errors.clear();
+  reader->Update();
+  EXPECT_NE(errors.first().find(path + ":1: "), std::string::npos) << errors.first();
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfRows(), 0);
+}
+
+TEST(FAPReaderWithoutAFrame, DataAfterRefusedInformationAreRefusedToo) {
+  const vtkNew<vtkFAPReader> reader;
+  reader->SetFileName("no_such_file.fap");
+  mien::PipelineErrors errors;
+  errors.observe(reader);
+  reader->UpdateInformation();
+  reader->Update();
+  EXPECT_NE(errors.first().find("no_such_file.fap: "), std::string::npos) << errors.first();
+}

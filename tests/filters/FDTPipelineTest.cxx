@@ -8,6 +8,7 @@
 #include "TemporaryFolder.h"
 #include "TextFile.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
 #include "vtkFDTDeformationFilter.h"
 #include "vtkFDTFitFilter.h"
 #include "vtkFacialRegionFilter.h"
@@ -49,6 +50,12 @@ TEST(FDTPipeline, PartsOfAGridAreThePartsOfTheWhole) {
       for (int column = 10; column <= 40; ++column)
         for (int k = 0; k < 3; ++k)
           ASSERT_EQ(grid->GetPoint((row - 30) * 31 + column - 10)[k], whole->GetPoint(row * 81 + column)[k]) << name;
+    const auto patch = [](vtkPointSet* data, vtkIdType cell) {
+      return data->GetCellData()->GetArray("PatchId")->GetTuple1(cell);
+    };
+    ASSERT_EQ(grid->GetCellData()->GetArray("PatchId")->GetNumberOfTuples(), 30 * 30) << name;
+    for (int row = 30; row < 60; ++row)
+      ASSERT_EQ(patch(grid, (row - 30) * 30), patch(whole, row * 80 + 10)) << name << " " << row;
   }
 }
 

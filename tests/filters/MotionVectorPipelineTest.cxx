@@ -115,13 +115,14 @@ TEST(MotionVectorPipeline, PiecesHoldTheVectorsOfTheWhole) {
   };
   for (vtkIdType i = 0; i < whole.filter->GetOutput()->GetNumberOfPoints(); ++i)
     vectors[place(whole.filter->GetOutput(), i)].insert(tuple(whole.filter->GetOutput(), "MotionVector", i));
-  vtkIdType points = 0;
+  vtkIdType points = 0, vertices = 0;
   std::set<std::vector<double>> covered;
   for (int piece = 0; piece < 4; ++piece) {
     part.filter->UpdatePiece(piece, 4, 0);
     vtkPolyData* output = part.filter->GetOutput();
     EXPECT_LT(output->GetNumberOfPoints(), 56 * 41);
     points += output->GetNumberOfPoints();
+    vertices += output->GetNumberOfVerts();
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i) {
       ASSERT_EQ(vectors.count(place(output, i)), 1u);
       EXPECT_EQ(vectors[place(output, i)].count(tuple(output, "MotionVector", i)), 1u);
@@ -129,6 +130,7 @@ TEST(MotionVectorPipeline, PiecesHoldTheVectorsOfTheWhole) {
     }
   }
   EXPECT_GE(points, 56 * 41);
+  EXPECT_EQ(vertices, 56 * 41) << "points that pieces share have one vertex";
   EXPECT_EQ(covered.size(), vectors.size()) << "every place is in some piece";
   EXPECT_EQ(part.errors.count(), 0);
 }

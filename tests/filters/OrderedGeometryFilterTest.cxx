@@ -4,11 +4,15 @@
 
 #include "BoundaryCurveData.h"
 #include "RandomCurves.h"
+#include "vtkCell.h"
 #include "vtkCellData.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOrderedGeometryFilter.h"
 #include "vtkPDEFaceFilter.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkPolygon.h"
 #include "vtkStructuredGrid.h"
 
 // vtkGeometryFilter joins the cells of its threads as they end; large grids came in another order on every run.
@@ -42,5 +46,28 @@ TEST(OrderedGeometryFilter, CellsKeepTheOrderOfTheGrid) {
     }
     EXPECT_EQ(unordered, 0);
     EXPECT_EQ(wrong, 0) << "cell data move with their cells";
+  }
+}
+
+TEST(OrderedGeometryFilter, ReversedPolygonsOfAFaceLookAlongItsNormals) {
+  vtkNew<vtkPolyData> curves;
+  mien::writeFaceCurves(randomFace(), curves);
+  vtkNew<vtkPDEFaceFilter> face;
+  face->SetInputData(curves);
+  vtkNew<vtkOrderedGeometryFilter> surface;
+  surface->SetInputConnection(face->GetOutputPort());
+  for (const bool reversed : {false, true}) {
+    surface->SetReversed(reversed);
+    surface->Update();
+    vtkPolyData* polygons = surface->GetOutput();
+    vtkDataArray* normals = polygons->GetPointData()->GetNormals();
+    double along = 0.0;
+    for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell) {
+      double normal[3];
+      vtkCell* polygon = polygons->GetCell(cell);
+      vtkPolygon::ComputeNormal(polygon->GetPoints(), normal);
+      along += vtkMath::Dot(normal, normals->GetTuple3(polygon->GetPointId(0))) / polygons->GetNumberOfCells();
+    }
+    EXPECT_GT(reversed ? along : -along, 0.9);
   }
 }

@@ -310,8 +310,18 @@ TEST(PDEFaceFilter, RefusesWhatItCannotSolveAndLeavesNoOutput) {
       "250");
   refused([](Face& f) { f.filter->SetResolution(10, 40); }, "11x3");
   refused([](Face& f) { f.filter->SetResolution(56, 2000000000); }, "too fine");
+  refused([](Face& f) { f.filter->SetResolution(20000, 20000); }, "in pieces");
   refused([](Face& f) { f.filter->SetDerivativeStrength(1e9); }, "-1000 .. 1000");
   refused([](Face& f) { f.filter->SetDerivativeStrength(NAN); }, "-1000 .. 1000");
+}
+
+TEST(PDEFaceFilter, DataAfterRefusedInformationAreRefusedToo) {
+  Face face;
+  face.filter->SetResolution(5, 40);
+  face.filter->UpdateInformation();
+  face.filter->Update();
+  EXPECT_NE(face.errors.first().find("11x3"), std::string::npos) << face.errors.first();
+  EXPECT_EQ(face.grid()->GetNumberOfPoints(), 0);
 }
 
 TEST(PDEFaceFilter, RefusesBrokenCurvesAndLeavesNoOutput) {

@@ -98,7 +98,7 @@ TEST(PDEInfluenceFilter, RefusesWhatDoesNotExist) {
   refused([](auto& f) { f.SetResolution(20000, 20000); }, "too fine");
 }
 
-TEST(PDEInfluenceFilter, PiecesEqualTheWholeAndShareItsProfile) {
+TEST(PDEInfluenceFilter, PiecesEqualTheWholeAndTheFirstHasItsProfile) {
   Influence whole;
   whole.filter->Update();
   vtkDataArray* all = whole.filter->GetOutput()->GetPointData()->GetArray("Influence");
@@ -117,7 +117,7 @@ TEST(PDEInfluenceFilter, PiecesEqualTheWholeAndShareItsProfile) {
       for (int column = extent[0]; column <= extent[1]; ++column, ++i)
         for (int c = 0; c < 3; ++c)
           ASSERT_EQ(some->GetTuple3(i)[c], all->GetTuple3(row * 41 + column)[c]) << row << " " << column;
-    EXPECT_EQ(part.filter->GetProfile()->GetNumberOfRows(), 56);
+    EXPECT_EQ(part.filter->GetProfile()->GetNumberOfRows(), piece == 0 ? 56 : 0);
     EXPECT_EQ(part.filter->GetHalfWidthAbove(), whole.filter->GetHalfWidthAbove());
   }
 }

@@ -90,7 +90,7 @@ TEST(PDEModeFilter, PartialSumsGrowByContributions) {
   for (vtkIdType i = 0; i < 56 * 41; ++i) EXPECT_EQ(after.grid()->GetPoint(i)[2], whole.grid()->GetPoint(i)[2]);
 }
 
-TEST(PDEModeFilter, PiecesEqualTheWholeAndShareItsTable) {
+TEST(PDEModeFilter, PiecesEqualTheWholeAndTheFirstHasItsTable) {
   Modes whole;
   whole.filter->SetMode(4);
   whole.filter->Update();
@@ -106,7 +106,8 @@ TEST(PDEModeFilter, PiecesEqualTheWholeAndShareItsTable) {
     for (int row = extent[2]; row <= extent[3]; ++row)
       for (int column = extent[0]; column <= extent[1]; ++column, ++i)
         ASSERT_EQ(part.contribution(i), whole.contribution(row * 41 + column)) << row << " " << column;
-    for (int row = 0; row < 7; ++row) EXPECT_EQ(part.value(row, "rms_mm"), whole.value(row, "rms_mm"));
+    ASSERT_EQ(part.filter->GetSpectrum()->GetNumberOfRows(), piece == 0 ? 7 : 0);
+    for (int row = 0; row < 7 && piece == 0; ++row) EXPECT_EQ(part.value(row, "rms_mm"), whole.value(row, "rms_mm"));
   }
 }
 

@@ -16,6 +16,7 @@ namespace mien {
 /// - `motion_rms_mm`, `motion_max_mm` from the same face at rest, the mean weighted with its area.
 const std::vector<std::string>& caseMeasureNames();
 
+/// Whether a name is one of them.
 bool isCaseMeasure(const std::string& name);
 
 /// What was measured on one case.

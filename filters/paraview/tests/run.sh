@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Tests the plugin in ParaView: its proxies, and its numbers in one, two and four processes.
+# usage: run.sh PARAVIEW_PREFIX PLUGIN.so
+set -euo pipefail
+prefix="$(cd "${1:?the folder of ParaView is missing}" && pwd)"
+plugin="$(realpath "${2:?the plugin is missing}")"
+cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
+readonly scripts=filters/paraview/tests data="$PWD/data" limit=300
+results="$(mktemp -d)"; trap 'rm -rf "$results"' EXIT
+
+export PYTHONPATH="$prefix/lib/python3/dist-packages" PYTHONDONTWRITEBYTECODE=1
+export OMP_NUM_THREADS=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_btl_base_warn_component_unused=0
+readonly pvbatch="$prefix/bin/pvbatch"
+
+run() { timeout "$limit" "$@"; }
+in_ranks() {
+  local as_root=(); [[ $EUID -ne 0 ]] || as_root=(--allow-run-as-root)
+  run mpirun "${as_root[@]}" --oversubscribe -np "$@"
+}
+failed() { echo "test-paraview: $*" >&2; exit 1; }
+
+head -c 300 "$data/animation/demo.fap" >"$results/broken.fap"
+run "$pvbatch" "$scripts/check_proxies.py" "$plugin" "$data/animation/demo.fap" "$data/faces/generic.vtp" \
+  "$results/broken.fap" >"$results/proxies.log" 2>&1 || { cat "$results/proxies.log"; failed "proxies and files: see above"; }
+grep ' proxies, ' "$results/proxies.log"
+
+for ranks in 1 2 4; do
+  in_ranks "$ranks" "$pvbatch" --sym "$scripts/measure_faces.py" "$plugin" "$data/animation/demo.fap" \
+    "$results/$ranks.json" >"$results/$ranks.log" 2>&1 || { cat "$results/$ranks.log"; failed "$ranks ranks: see above"; }
+  if grep -E 'ERR|Warning' "$results/$ranks.log"; then failed "$ranks ranks: errors were reported, see above"; fi
+done
+python3 "$scripts/compare_runs.py" "$results"/{1,2,4}.json || failed "ranks differ: see above"
