@@ -14,6 +14,7 @@
 #include "CaseMeasures.h"
 #include "Checksum.h"
 #include "FAPSequence.h"
+#include "FaceMotion.h"
 #include "FacePipeline.h"
 #include "HelperThreads.h"
 #include "NumberText.h"
@@ -73,15 +74,6 @@ class CurveSource {
   std::map<std::string, std::shared_ptr<const PosedCurves>> made_;
 };
 
-FaceState atRest(FaceState state) {
-  const FaceState none;
-  state.expressions.clear();
-  state.fapFile.clear();
-  state.frameChoice = none.frameChoice;
-  state.frame = none.frame;
-  return state;
-}
-
 /// The blocks of a share, worked off by several threads.
 class Work {
  public:
@@ -126,7 +118,7 @@ class Work {
       if (calls_.isDone(number)) continue;
       const StudyCase one = cases_.at(number);
       if (!moved) moved = source_.curves(one.state);
-      if (!neutral) neutral = source_.curves(atRest(one.state));
+      if (!neutral) neutral = source_.curves(FaceMotion::neutralOf(one.state));
       const std::string& fault = moved->fault.empty() ? neutral->fault : moved->fault;
       if (fault.empty() && !measures)
         measures = std::make_unique<CaseMeasures>(study_, one, moved->face, neutral->face);

@@ -40,9 +40,11 @@ struct vtkFaceStateSource::Internals {
   vtkFaceStateSource* self;
   mien::FaceState state;
   mien::FacePipeline pipeline;
+  vtkNew<vtkReverseSense> outwards;
   bool failed = false;
 
   explicit Internals(vtkFaceStateSource* source) : self(source) {
+    outwards->SetInputConnection(pipeline.surface()->GetOutputPort());
     pipeline.face()->AddObserver(vtkCommand::ProgressEvent, this, &Internals::followProgress);
   }
 
@@ -69,11 +71,9 @@ struct vtkFaceStateSource::Internals {
     return shown;
   }
 
-  void copySurface(vtkPolyData* surface) {
-    vtkNew<vtkReverseSense> outwards;
-    outwards->SetInputConnection(pipeline.surface()->GetOutputPort());
+  vtkPolyData* surface() {
     outwards->Update();
-    surface->ShallowCopy(outwards->GetOutput());
+    return outwards->GetOutput();
   }
 };
 
@@ -148,7 +148,7 @@ int vtkFaceStateSource::RequestData(vtkInformation* request, vtkInformationVecto
   if (!fault.empty()) return this->Refuse(fault);
   if (this->GetAbortExecute()) return this->Impl->giveUp();
   vtkStructuredGrid::GetData(outputs, gridPort)->ShallowCopy(this->Impl->pipeline.grid());
-  this->Impl->copySurface(vtkPolyData::GetData(outputs, surfacePort));
+  vtkPolyData::GetData(outputs, surfacePort)->ShallowCopy(this->Impl->surface());
   vtkPolyData::GetData(outputs, curvePort)->ShallowCopy(this->Impl->pipeline.shownCurves()->GetOutputDataObject(0));
   for (int port = 0; timed && port < portCount; ++port)
     vtkDataObject::GetData(outputs, port)->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);

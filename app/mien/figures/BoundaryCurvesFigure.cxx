@@ -3,7 +3,6 @@
 #include "CatalogueFigures.h"
 #include "CurveDrawing.h"
 #include "FaceLayout.h"
-#include "FaceMotion.h"
 #include "FigureContext.h"
 #include "PlaneDrawingPainter.h"
 #include "PlatePainter.h"
@@ -57,7 +56,7 @@ PlaneDrawing labelledCurves(const ClosedCurves& curves, double panelWidth) {
 }  // namespace
 
 FigureDrawing drawBoundaryCurves(FigureContext& context) {
-  const FaceState rest = FaceMotion::neutralOf(context.state());
+  const FaceState& rest = context.state();  // at rest, as the catalogue has it
   FaceState open = rest;
   open.fapValues[51] -= 120.0;
   open.fapValues[52] -= 450.0;

@@ -1,6 +1,5 @@
 #include "CatalogueFigures.h"
 #include "CurveDrawing.h"
-#include "FaceMotion.h"
 #include "FigureContext.h"
 #include "PanelRow.h"
 #include "PlaneDrawingPainter.h"
@@ -15,7 +14,7 @@ constexpr double shape = 1.28;                  // height over width of a face
 constexpr int meshRows = 29, meshColumns = 40;  // as in the paper
 
 FaceState withExpression(const FaceState& rest, const std::string& name) {
-  FaceState state = FaceMotion::neutralOf(rest);
+  FaceState state = rest;
   state.expressions[name] = 1.0;
   return state;
 }
