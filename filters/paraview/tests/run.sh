@@ -30,3 +30,32 @@ for ranks in 1 2 4; do
   if grep -E 'ERR|Warning' "$results/$ranks.log"; then failed "$ranks ranks: errors were reported, see above"; fi
 done
 python3 "$scripts/compare_runs.py" "$results"/{1,2,4}.json || failed "ranks differ: see above"
+
+# A study: the table of one, two and four processes, and after kills, is that of one.
+study() {  # study RANKS TABLE
+  MIEN_PLUGIN="$plugin" in_ranks "$1" "$pvbatch" --sym doc/examples/paraview/study.py "$scripts/study.json" "$2" \
+    >"$results/study.log" 2>&1
+}
+for ranks in 1 2 4; do
+  study "$ranks" "$results/table$ranks.csv" || { cat "$results/study.log"; failed "study in $ranks ranks: see above"; }
+  cmp "$results/table1.csv" "$results/table$ranks.csv" || failed "study in $ranks ranks: another table"
+done
+
+rows_kept() { cat "$1".rank*.part 2>/dev/null | grep -c '^[0-9].*,$' || true; }
+
+# Killed at random moments until it ends; no row may be lost, and none computed twice.
+table="$results/killed.csv" kept=0 kills=0
+for ((attempt = 0; attempt < 40; ++attempt)); do
+  MIEN_PLUGIN="$plugin" in_ranks 2 "$pvbatch" --sym doc/examples/paraview/study.py "$scripts/study.json" "$table" \
+    >"$results/study.log" 2>&1 &
+  sleep "$((2 + RANDOM % 4)).$((RANDOM % 10))"
+  if pkill -KILL -f "pvbatch.*$table"; then kills=$((kills + 1)); fi
+  wait $! || true
+  [[ ! -e "$table" ]] || break
+  now="$(rows_kept "$table")"
+  ((now >= kept)) || failed "a killed study lost rows: $kept, then $now"
+  kept=$now
+done
+study 2 "$table" || { cat "$results/study.log"; failed "a killed study: see above"; }
+cmp "$results/table1.csv" "$table" || failed "a killed study: another table"
+echo "study: $(grep -c '^[0-9]' "$table") cases, the same table in 1, 2 and 4 ranks and after $kills kills"
