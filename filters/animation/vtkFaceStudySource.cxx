@@ -9,6 +9,7 @@
 #include "StudyTableRun.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
@@ -83,6 +84,8 @@ int vtkFaceStudySource::Compute(int piece, int pieces, vtkTable* output) {
 }
 
 bool vtkFaceStudySource::WriteTable() {
+  vtkMultiProcessController* const processes = vtkMultiProcessController::GetGlobalController();
+  if (processes && processes->GetLocalProcessId() > 0) return true;
   const std::string table = textOf(this->TableFileName);
   try {
     if (table.empty()) throw mien::StudyFailure("no table is given; set TableFileName to a file TABLE.csv");

@@ -45,9 +45,9 @@ class MIENANIMATION_EXPORT vtkFaceStudySource : public vtkTableAlgorithm {
   /** How many cases the last update computed, rather than finding them done. */
   vtkGetMacro(NumberOfComputedCases, vtkIdType);
 
-  /** After all pieces are done: writes the table named TableFileName of all parts, and takes the parts away. One
-   * process does it. An error when a case is still missing.
-   * @return whether the table is written */
+  /** After all pieces are done: writes the table named TableFileName of all parts, and takes the parts away. Of several
+   * processes (vtkMultiProcessController) the first does it. An error when a case is still missing.
+   * @return whether the table is written, or another process does it */
   bool WriteTable();
 
  protected:

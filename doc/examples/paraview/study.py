@@ -21,11 +21,10 @@ processes = vtkMultiProcessController.GetGlobalController()
 
 source = MienFaceStudy(StudyFileName=study, TableFileName=table)
 source.UpdatePipeline()
-mine = source.GetClientSideObject()
-print("process %d of %d: %d cases computed, %d rows" % (
-    processes.GetLocalProcessId(), processes.GetNumberOfProcesses(), mine.GetNumberOfComputedCases(),
-    mine.GetOutputDataObject(0).GetNumberOfRows()), flush=True)
+print("process %d of %d: %d rows" % (processes.GetLocalProcessId(), processes.GetNumberOfProcesses(),
+                                     source.GetClientSideObject().GetOutputDataObject(0).GetNumberOfRows()), flush=True)
 
 processes.Barrier()  # all rows are written
-if processes.GetLocalProcessId() == 0 and not mine.WriteTable():
-    sys.exit(1)
+source.InvokeCommand("WriteTable")  # by the first process
+processes.Barrier()
+sys.exit(0 if os.path.exists(table) else 1)
