@@ -27,4 +27,5 @@ print("process %d of %d: %d rows" % (processes.GetLocalProcessId(), processes.Ge
 processes.Barrier()  # all rows are written
 source.InvokeCommand("WriteTable")  # by the first process
 processes.Barrier()
-sys.exit(0 if os.path.exists(table) else 1)
+if not os.path.exists(table):
+    sys.exit(1)
