@@ -36,6 +36,7 @@ class MIENANIMATION_EXPORT StudyTableRun {
   /// What a computation tells and asks, on the calling thread, now and then.
   using Progress = std::function<bool(double share)>;  ///< 0 .. 1; when it says no, no case is begun
 
+  /// How a computation ended.
   struct Outcome {
     std::int64_t computed = 0, left = 0;  ///< now; of those that were to do
     bool isComplete() const { return computed == left; }
