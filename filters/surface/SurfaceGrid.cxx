@@ -4,7 +4,6 @@
 
 #include "PDESurface.h"
 #include "SurfaceCurvature.h"
-#include "SurfaceNormals.h"
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -155,16 +154,17 @@ class TypedSurfaceGrid : public SurfaceGrid {
     const auto grid = [&](const Array& array) {
       return Grid(array->GetPointer(3 * first * columns), rows, 3 * columns);
     };
+    const int row = this->Layout.extent[2] + static_cast<int>(first);
+    if (arrays.derivatives.empty() && arrays.curvatures.empty()) {
+      this->Surface.evaluateWithNormals(row, grid(arrays.points), grid(arrays.normals));
+      return;
+    }
     thread_local RowMajor<Scalar> scratch;
     scratch.resize(2 * rows, 3 * columns);
     const bool kept = !arrays.derivatives.empty();
-    const Grid su = kept ? grid(arrays.derivatives[0]) : Grid(scratch.data(), rows, 3 * columns);
-    const Grid sv = kept ? grid(arrays.derivatives[1]) : Grid(scratch.data() + rows * 3 * columns, rows, 3 * columns);
-    const int row = this->Layout.extent[2] + static_cast<int>(first);
-    this->Surface.evaluate(0, 0, row, grid(arrays.points));
-    this->Surface.evaluate(1, 0, row, su);
-    this->Surface.evaluate(0, 1, row, sv);
-    surfaceNormals<Scalar>(su, sv, grid(arrays.normals));
+    Grid su = kept ? grid(arrays.derivatives[0]) : Grid(scratch.data(), rows, 3 * columns);
+    Grid sv = kept ? grid(arrays.derivatives[1]) : Grid(scratch.data() + rows * 3 * columns, rows, 3 * columns);
+    this->Surface.evaluateWithNormals(row, grid(arrays.points), grid(arrays.normals), &su, &sv);
     if (!arrays.curvatures.empty()) this->computeCurvatures(arrays.curvatures, first, su, sv);
   }
 

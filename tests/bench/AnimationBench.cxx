@@ -12,7 +12,6 @@
 #include "FaceAnimator.h"
 #include "FaceSurface.h"
 #include "PDESurface.h"
-#include "SurfaceNormals.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkNew.h"
@@ -64,15 +63,12 @@ void frameToSurface(benchmark::State& state, const std::string& scheme) {
   const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(columns + 1, 0.0, 2.0 * M_PI);
   PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true),
                             FaceLayout::curveCount, v);
-  RowMajor<float> points(rows, v.size() * 3), normals = points, su = points, sv = points;
+  RowMajor<float> points(rows, v.size() * 3), normals = points;
   const auto grid = [](RowMajor<float>& m) { return PDESurface<float>::Grid(m.data(), m.rows(), m.cols()); };
   int index = 0;
   for (auto _ : state) {
     surface.setCurves(animator.animate(movingFrame(index++)));
-    surface.evaluate(0, 0, 0, grid(points));
-    surface.evaluate(1, 0, 0, grid(su));
-    surface.evaluate(0, 1, 0, grid(sv));
-    surfaceNormals<float>(grid(su), grid(sv), grid(normals));
+    surface.evaluateWithNormals(0, grid(points), grid(normals));
     benchmark::ClobberMemory();
   }
 }
@@ -96,17 +92,14 @@ void thousandFrames(benchmark::State& state, const std::string& scheme) {
   options.scheme = scheme;
   PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true),
                             FaceLayout::curveCount, v);
-  RowMajor<float> points(rows, v.size() * 3), normals = points, su = points, sv = points;
+  RowMajor<float> points(rows, v.size() * 3), normals = points;
   const auto grid = [](RowMajor<float>& m) { return PDESurface<float>::Grid(m.data(), m.rows(), m.cols()); };
   for (auto _ : state) {
     FAPSequence played;
     if (parseFAP(text, played)) return state.SkipWithError("the file cannot be read");
     for (const FAPFrame& frame : played.frames) {
       surface.setCurves(animator.animate(frame));
-      surface.evaluate(0, 0, 0, grid(points));
-      surface.evaluate(1, 0, 0, grid(su));
-      surface.evaluate(0, 1, 0, grid(sv));
-      surfaceNormals<float>(grid(su), grid(sv), grid(normals));
+      surface.evaluateWithNormals(0, grid(points), grid(normals));
       benchmark::ClobberMemory();
     }
   }

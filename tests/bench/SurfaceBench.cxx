@@ -7,7 +7,6 @@
 #include "BoundaryCurveData.h"
 #include "FaceSurface.h"
 #include "PDESurface.h"
-#include "SurfaceNormals.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
@@ -38,19 +37,10 @@ void coreSurface(benchmark::State& state, const std::string& scheme) {
   PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true),
                             FaceLayout::curveCount, v);
   RowMajor<float> points(rows, v.size() * 3), normals(rows, v.size() * 3);
-  const int block = std::max(1, 4096 / columns);
-  RowMajor<float> su(block, v.size() * 3), sv(block, v.size() * 3);
   using Grid = PDESurface<float>::Grid;
   for (auto _ : state) {
     surface.setCurves(face.curves);
-    for (int row = 0; row < rows; row += block) {
-      const int n = std::min(block, rows - row);
-      const Grid u(su.data(), n, su.cols()), w(sv.data(), n, sv.cols());
-      surface.evaluate(0, 0, row, Grid(points.row(row).data(), n, points.cols()));
-      surface.evaluate(1, 0, row, u);
-      surface.evaluate(0, 1, row, w);
-      surfaceNormals<float>(u, w, Grid(normals.row(row).data(), n, normals.cols()));
-    }
+    surface.evaluateWithNormals(0, Grid(points.data(), rows, points.cols()), Grid(normals.data(), rows, points.cols()));
     benchmark::ClobberMemory();
   }
 }

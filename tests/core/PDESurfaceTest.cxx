@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <map>
 
@@ -8,7 +9,6 @@
 #include "PDESurface.h"
 #include "RandomCurves.h"
 #include "SharedDerivatives.h"
-#include "SurfaceNormals.h"
 
 using namespace mien;
 
@@ -171,16 +171,75 @@ TEST(PDESurface, NormalsPointOutwards) {
     }
   PDESurface<double> surface = makeFace({}, 56, 40, columns(40));
   surface.setCurves(face.curves);
-  RowMajor<double> s = positions(surface), su = derivativesU(surface), sv = derivativesV(surface),
-                   normals(s.rows(), s.cols());
-  using Grid = PDESurface<double>::Grid;
-  surfaceNormals<double>(Grid(su.data(), su.rows(), su.cols()), Grid(sv.data(), sv.rows(), sv.cols()),
-                         Grid(normals.data(), s.rows(), s.cols()));
+  RowMajor<double> s(56, 120), normals(56, 120);
+  surface.evaluateWithNormals(0, {s.data(), 56, 120}, {normals.data(), 56, 120});
   for (int row = 0; row < s.rows(); ++row)
     for (int i = 0; i < 40; ++i) {
       const Eigen::RowVector3d outwards(s(row, 3 * i), 0.0, s(row, 3 * i + 2));
       EXPECT_NEAR((normals.block<1, 3>(row, 3 * i).dot(outwards.normalized())), 1.0, 0.02);
     }
+}
+
+namespace {
+
+template <class Scalar>
+struct JetRows {
+  RowMajor<Scalar> s, normals, su, sv;
+
+  JetRows(const PDESurface<Scalar>& surface, int first, int rows)
+      : s(rows, 3 * surface.columnCount()), normals(s), su(s), sv(s) {
+    using Grid = typename PDESurface<Scalar>::Grid;
+    const auto grid = [](RowMajor<Scalar>& m) { return Grid(m.data(), m.rows(), m.cols()); };
+    Grid u = grid(su), v = grid(sv);
+    surface.evaluateWithNormals(first, grid(s), grid(normals), &u, &v);
+  }
+};
+
+/// Surfaces whose numbers of columns end within a vector, and at its end.
+template <class Scalar>
+void expectRowsAtOnceAreThoseOneByOne(int columnCount, double tolerance) {
+  FaceSurfaceOptions options;
+  PDESurface<Scalar> surface(facePieces(options, RowLayout(83, false)), HarmonicSplit(40, 5, true),
+                             FaceLayout::curveCount, columns(columnCount));
+  surface.setCurves(randomFace().curves);
+  const JetRows<Scalar> all(surface, 0, 83);
+  const RowMajor<Scalar>* const grids[] = {&all.s, &all.su, &all.sv};
+  for (const auto& [orderU, orderV, index] : {std::array{0, 0, 0}, {1, 0, 1}, {0, 1, 2}}) {
+    RowMajor<Scalar> alone(83, 3 * columnCount);
+    surface.evaluate(orderU, orderV, 0, {alone.data(), alone.rows(), alone.cols()});
+    EXPECT_EQ(alone, *grids[index]) << columnCount;
+  }
+  for (int row = 0; row < 83; ++row) {
+    const JetRows<Scalar> one(surface, row, 1);
+    EXPECT_EQ(one.s, all.s.row(row));
+    EXPECT_EQ(one.normals, all.normals.row(row));
+    for (int i = 0; i < 3 * columnCount; i += 3) {
+      const Eigen::Vector3d su = one.su.template block<1, 3>(0, i).transpose().template cast<double>();
+      const Eigen::Vector3d sv = one.sv.template block<1, 3>(0, i).transpose().template cast<double>();
+      const Eigen::Vector3d normal = one.normals.template block<1, 3>(0, i).transpose().template cast<double>();
+      EXPECT_LE((normal - su.cross(sv).normalized()).norm(), tolerance);
+    }
+  }
+}
+
+}  // namespace
+
+// Random curves turn tangent vectors at up to 1e3 times their length over the cross product's: hence 1e-4 of floats.
+TEST(PDESurface, RowsAtOnceAreThoseOneByOneToTheBit) {
+  for (const int columnCount : {1, 7, 16, 41, 64, 65, 100}) {
+    expectRowsAtOnceAreThoseOneByOne<float>(columnCount, 1e-4);
+    expectRowsAtOnceAreThoseOneByOne<double>(columnCount, 1e-12);
+  }
+}
+
+TEST(PDESurface, WhereNoTangentPlaneIsTheNormalBeforeIsRepeated) {
+  PDESurface<double> surface = makeFace({}, 29, 40, columns(40));
+  RowMajor<double> s(1, 120), normals(1, 120);
+  ClosedCurves onePoint(FaceLayout::curveCount, 40);
+  onePoint.points.setZero();
+  surface.setCurves(onePoint);
+  surface.evaluateWithNormals(0, {s.data(), 1, 120}, {normals.data(), 1, 120});
+  for (int i = 0; i < 120; i += 3) EXPECT_EQ((normals.block<1, 3>(0, i)), Eigen::RowVector3d(0, 0, 1));
 }
 
 TEST(PDESurface, IsLinearAndMovesWithItsCurves) {

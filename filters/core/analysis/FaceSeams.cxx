@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "BoundaryField.h"
+#include "BoundaryCoefficients.h"
 
 namespace mien {
 

@@ -33,7 +33,7 @@ ModeSpectrum::ModeSpectrum(const FaceSurfaceOptions& options, const RowLayout& l
     : split_(pointsPerCurve, options.modes, options.remainder),
       rowWeights_(trapezoidalWeights(layout.rows())),
       u_(split_.count(), Eigen::MatrixXd::Zero(layout.rows().size(), FaceLayout::curveCount)),
-      b_(split_, v, 0),
+      synthesis_(split_.synthesis(v, 0)),
       columnCount_(v.size()),
       analysis_(split_.analysis()) {
   for (const SurfacePiece& piece : facePieces(options, layout)) {
@@ -51,7 +51,6 @@ ModeSpectrum::ModeSpectrum(const FaceSurfaceOptions& options, const RowLayout& l
 
 void ModeSpectrum::setCurves(const ClosedCurves& curves) {
   fourierCoefficients(analysis_, curves, samples_, coefficients_);
-  b_.update(coefficients_);
 }
 
 std::string ModeSpectrum::name(int part) const {
@@ -59,9 +58,11 @@ std::string ModeSpectrum::name(int part) const {
 }
 
 Eigen::MatrixXd ModeSpectrum::curvesOfPart(int part) const {
+  const int first = split_.firstCoefficient(part), count = split_.coefficientCount(part);
+  const Eigen::MatrixXd sampled = synthesis_.middleCols(first, count) * coefficients_.middleRows(first, count);
   Eigen::MatrixXd curves(FaceLayout::curveCount, 3 * columnCount_);
   for (int c = 0; c < FaceLayout::curveCount; ++c)
-    curves.row(c) = b_.matrix().row(c * partCount() + part).head(3 * columnCount_);
+    for (Eigen::Index i = 0; i < columnCount_; ++i) curves.block<1, 3>(c, 3 * i) = sampled.block<1, 3>(i, 3 * c);
   return curves;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "BoundaryField.h"
+#include "BoundaryCoefficients.h"
 #include "FaceSurface.h"
 
 namespace mien {
@@ -59,7 +59,7 @@ class ModeSpectrum {
   HarmonicSplit split_;
   Eigen::VectorXd rowWeights_;      ///< sum to 1
   std::vector<Eigen::MatrixXd> u_;  ///< per part: rows x 29
-  BoundaryField<double> b_;
+  Eigen::MatrixXd synthesis_;       ///< columns x coefficients
   Eigen::Index columnCount_;
   Eigen::MatrixXd analysis_, samples_, coefficients_;
   std::string fault_;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "BoundaryField.h"
+#include "BoundaryCoefficients.h"
 #include "FaceSurface.h"
 
 namespace mien {

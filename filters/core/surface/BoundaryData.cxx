@@ -18,25 +18,24 @@ int plainCurve(const std::vector<Eigen::RowVectorXd>& datum) {
 }  // namespace
 
 BoundaryData::BoundaryData(const HarmonicSplit& split, int curveCount)
-    : split_(split), curveCount_(curveCount), combinations_(split.count(), Combinations(0, curveCount)) {}
+    : split_(split), curveCount_(curveCount), combinations_(split.count(), RowMajor<double>(0, curveCount)) {}
 
 int BoundaryData::position(const Datum& datum) {
+  const int curve = plainCurve(datum);
+  if (curve >= 0) return curve;
   std::vector<double> key;
   for (const Eigen::RowVectorXd& part : datum) key.insert(key.end(), part.data(), part.data() + part.size());
   const auto [found, isNew] = known_.emplace(key, count());
-  if (!isNew) return found->second;
-  curve_.push_back(plainCurve(datum));
-  if (curve_.back() < 0) combine(datum);
+  if (isNew) combine(datum);
   return found->second;
 }
 
 void BoundaryData::combine(const Datum& datum) {
   for (size_t part = 0; part < datum.size(); ++part) {
-    Combinations& all = combinations_[part];
+    RowMajor<double>& all = combinations_[part];
     all.conservativeResize(all.rows() + 1, Eigen::NoChange);
     all.row(all.rows() - 1) = datum[part];
   }
-  derived_.resize(combinations_.front().rows(), 3);
 }
 
 std::vector<int> BoundaryData::add(const SurfacePiece& piece) {
@@ -50,21 +49,15 @@ std::vector<int> BoundaryData::add(const SurfacePiece& piece) {
   return positions;
 }
 
-// Coefficient by coefficient: x, y, z of the curves become those of the data that follow from them.
-void BoundaryData::derive(const Eigen::MatrixXd& curves, Eigen::MatrixXd& data) {
-  const int derived = static_cast<int>(derived_.rows());
-  const Eigen::Index padded = curves.cols() + rowProductPadding;
-  if (rows_.rows() != curves.rows() || rows_.cols() != padded) rows_.setZero(curves.rows(), padded);
-  rows_.leftCols(curves.cols()) = curves;
-  data.resize(curves.rows(), 3 * count());
-  for (int d = 0; d < count(); ++d)
-    if (curve_[d] >= 0) data.middleCols<3>(3 * d) = curves.middleCols<3>(3 * curve_[d]);
-  for (int part = 0; part < split_.count() && derived > 0; ++part)
-    for (int k = split_.firstCoefficient(part), end = k + split_.coefficientCount(part); k < end; ++k) {
-      rowProduct(combinations_[part].data(), derived, curveCount_, rows_.row(k).data(), 3, 3, derived_.data(), 3);
-      for (int d = 0, row = 0; d < count(); ++d)
-        if (curve_[d] < 0) data.block<1, 3>(k, 3 * d) = derived_.row(row++);
-    }
+// A part's coefficients as one row a datum: those of a curve times the combinations are those of what follows from it.
+void BoundaryData::derive(BoundaryCoefficients& coefficients) const {
+  for (int part = 0; part < split_.count(); ++part) {
+    const RowMajor<double>& combinations = combinations_[part];
+    const int columns = 3 * split_.coefficientCount(part);
+    double* const curves = coefficients.part(part);
+    rowProduct(combinations.data(), static_cast<int>(combinations.rows()), curveCount_, curves, columns, columns,
+               curves + static_cast<long>(curveCount_) * columns, columns);
+  }
 }
 
 }  // namespace mien

@@ -4,12 +4,13 @@
 #include <map>
 #include <vector>
 
-#include "HarmonicSplit.h"
+#include "BoundaryCoefficients.h"
 #include "SurfacePiece.h"
 
 namespace mien {
 
-/// The boundary data of all pieces of a surface, each once: curves as they are, and derivatives that follow from them.
+/// The boundary data of all pieces of a surface, each once: the curves as they are, then derivatives that follow from
+/// them.
 ///
 /// A spline's slope at a curve takes part in two pieces and depends on all curves; made once, it is one datum of
 /// either piece, and a row of U has 2m numbers per harmonic instead of one for every curve.
@@ -20,24 +21,21 @@ class BoundaryData {
   /// The positions of a piece's data, condition by condition.
   std::vector<int> add(const SurfacePiece& piece);
 
-  int count() const { return static_cast<int>(curve_.size()); }
+  int curveCount() const { return curveCount_; }
+  int count() const { return curveCount_ + static_cast<int>(combinations_.front().rows()); }
 
-  /// Fourier coefficients of the data (K x 3 data) from those of the curves (K x 3 curves).
-  /// No allocation after the first time.
-  void derive(const Eigen::MatrixXd& curves, Eigen::MatrixXd& data);
+  /// The coefficients of what follows from the curves, from theirs. No allocation.
+  void derive(BoundaryCoefficients& coefficients) const;
 
  private:
   using Datum = std::vector<Eigen::RowVectorXd>;  ///< by part, the combination of the curves
-  using Combinations = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   int position(const Datum& datum);
   void combine(const Datum& datum);
 
   HarmonicSplit split_;
   int curveCount_;
-  std::vector<int> curve_;                  ///< by datum: the curve that it is in every part, or -1
-  std::vector<Combinations> combinations_;  ///< by part: the data that are no curves, (data x curves)
-  Combinations rows_, derived_;
+  std::vector<RowMajor<double>> combinations_;  ///< by part: the data that are no curves, (data x curves)
   std::map<std::vector<double>, int> known_;
 };
 

@@ -4,47 +4,41 @@
 
 namespace mien {
 
+namespace {
+
+/// The columns, and the first again as often as it takes: a vector's last lanes then hold numbers like all others.
+Eigen::VectorXd padded(const Eigen::VectorXd& v, int count) {
+  Eigen::VectorXd all = Eigen::VectorXd::Constant(count, v.size() > 0 ? v[0] : 0.0);
+  all.head(v.size()) = v;
+  return all;
+}
+
+}  // namespace
+
 template <class Scalar>
 BoundaryField<Scalar>::BoundaryField(const HarmonicSplit& split, const Eigen::VectorXd& v, int derivative)
-    : split_(split) {
-  const Eigen::MatrixXd all = split.synthesis(v, derivative);
-  for (int part = 0; part < split.count(); ++part)
-    synthesis_.push_back(all.middleCols(split.firstCoefficient(part), split.coefficientCount(part)));
-}
-
-template <class Scalar>
-void BoundaryField<Scalar>::update(const Eigen::MatrixXd& coefficients) {
-  const Eigen::Index columns = synthesis_.front().rows();
-  const Eigen::Index padded = (3 * columns + rowProductPadding - 1) / rowProductPadding * rowProductPadding;
-  if (matrix_.cols() != padded) matrix_.setZero(coefficients.cols() / 3 * split_.count(), padded);
-  if (coefficients_.cols() != coefficients.cols() + rowProductPadding)
-    coefficients_.setZero(coefficients.rows(), coefficients.cols() + rowProductPadding);
-  coefficients_.leftCols(coefficients.cols()) = coefficients;
-  sampled_.resize(columns, coefficients.cols());
-  for (int part = 0; part < split_.count(); ++part) fillPart(part, static_cast<int>(coefficients.cols()) / 3);
-}
-
-template <class Scalar>
-void BoundaryField<Scalar>::fillPart(int part, int curveCount) {
-  const RowMajor<double>& synthesis = synthesis_[part];
-  const int columns = static_cast<int>(synthesis.rows()), parts = split_.count();
-  if (synthesis.cols() == 0) return;  // a remainder without harmonics stays zero
-  rowProduct(synthesis.data(), columns, static_cast<int>(synthesis.cols()),
-             coefficients_.row(split_.firstCoefficient(part)).data(), coefficients_.cols(), 3 * curveCount,
-             sampled_.data(), sampled_.cols());
-  for (int c = 0; c < curveCount; ++c) {
-    Scalar* const row = matrix_.row(c * parts + part).data();
-    for (int column = 0; column < columns; ++column)
-      for (int xyz = 0; xyz < 3; ++xyz) row[3 * column + xyz] = static_cast<Scalar>(sampled_(column, 3 * c + xyz));
+    : split_(split), columns_(static_cast<int>(v.size())) {
+  const int count = AlignedRows<Scalar>::paddedCount(columns_);
+  const Eigen::MatrixXd all = split.synthesis(padded(v, count), derivative);
+  for (int part = 0; part < split.count(); ++part) {
+    AlignedRows<Scalar>& synthesis = synthesis_.emplace_back(split.coefficientCount(part), count);
+    for (int k = 0; k < synthesis.rows(); ++k)
+      for (int i = 0; i < count; ++i)
+        synthesis.row(k)[i] = static_cast<Scalar>(all(i, split.firstCoefficient(part) + k));
   }
 }
 
-void fourierCoefficients(const Eigen::MatrixXd& analysis, const ClosedCurves& curves, Eigen::MatrixXd& samples,
-                         Eigen::MatrixXd& coefficients) {
-  samples.resize(curves.pointsPerCurve, 3 * curves.count);
-  for (int c = 0; c < curves.count; ++c) samples.middleCols<3>(3 * c) = curves.curve(c);
-  coefficients.resize(samples.rows(), samples.cols());
-  coefficients.noalias() = analysis * samples;
+template <class Scalar>
+void BoundaryField<Scalar>::update(const Scalar* coefficients, int dataCount) {
+  const int rows = 3 * dataCount;
+  matrix_.resize(rows * split_.count(), columns_);
+  for (int part = 0; part < split_.count(); ++part) {
+    const AlignedRows<Scalar>& synthesis = synthesis_[part];
+    if (synthesis.rows() == 0) continue;  // a remainder without harmonics stays zero
+    rowProduct(coefficients + static_cast<long>(rows) * split_.firstCoefficient(part), rows, synthesis.rows(),
+               synthesis.row(0), synthesis.stride(), static_cast<int>(synthesis.stride()), matrix_.row(part * rows),
+               matrix_.stride());
+  }
 }
 
 template class BoundaryField<float>;

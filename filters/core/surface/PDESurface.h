@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,21 +39,30 @@ class PDESurface {
   /// from several threads.
   void evaluate(int orderU, int orderV, int firstRow, Grid grid) const;
 
+  /// Rows of S and of its unit normals, which point outwards, in one go, and of its tangent vectors where they are
+  /// wanted. The bits of S, S_u and S_v are those of evaluate(). Safe to call from several threads.
+  void evaluateWithNormals(int firstRow, Grid s, Grid normals, Grid* su = nullptr, Grid* sv = nullptr) const;
+
  private:
-  /// The part of U that belongs to one piece, over the run of data that it uses.
+  /// The part of U that belongs to one piece.
   struct Block {
-    int firstRow, firstDatum;
-    RowMajor<Scalar> matrix;
+    int firstRow;
+    std::vector<int> data;                   ///< by condition
+    std::vector<long> places;                ///< by column of U: the row of B
+    std::vector<RowMajor<Scalar>> matrices;  ///< by order of the derivative: rows x (part by part, the conditions)
   };
 
-  void addBlock(const SurfacePiece& piece, const std::vector<int>& data, int derivative);
+  void addBlock(const SurfacePiece& piece, std::vector<int> data, int derivatives);
+  void placeData();
+  OperatorRows<Scalar> rowsOf(const Block& block, int order, int firstRow, int endRow) const;
 
   HarmonicSplit split_;
   BoundaryData data_;
   int columnCount_, rowCount_ = 0;
-  Eigen::MatrixXd analysis_, samples_, coefficients_, dataCoefficients_;
+  std::vector<Block> u_;
+  std::unique_ptr<BoundaryCoefficients> coefficients_;
+  std::vector<Scalar> rounded_;           ///< the coefficients
   std::vector<BoundaryField<Scalar>> b_;  ///< by order of the derivative
-  std::vector<std::vector<Block>> u_;     ///< by order of the derivative
   std::string fault_;
 };
 

@@ -11,7 +11,7 @@ constexpr int rowProductPadding = 16;
 /// whole, and a closing column those of the first. The library's product does not promise that.
 ///
 /// @param u          rows x depth, contiguous
-/// @param b          depth x columns, rows `bStride` apart, padded to rowProductPadding
+/// @param b          depth x columns, rows `bStride` apart; rowProductPadding numbers behind the last can be read
 /// @param outStride  distance of the rows of out
 template <class Scalar>
 void rowProduct(const Scalar* u, int rows, int depth, const Scalar* b, long bStride, int columns, Scalar* out,
