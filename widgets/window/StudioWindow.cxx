@@ -17,6 +17,7 @@
 #include "Autosave.h"
 #include "BundledFile.h"
 #include "CurveView.h"
+#include "DockScroll.h"
 #include "EditMenu.h"
 #include "ExpressionPanel.h"
 #include "FAPPanel.h"
@@ -134,7 +135,7 @@ QWidget* StudioWindow::centre() {
 void StudioWindow::addDock(const QString& name, const QString& title, QWidget* panel) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
-  dock->setWidget(panel);
+  dock->setWidget(new DockScroll(panel));
   dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                     QDockWidget::DockWidgetFloatable);
   addDockWidget(Qt::LeftDockWidgetArea, dock);
