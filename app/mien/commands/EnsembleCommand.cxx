@@ -30,7 +30,7 @@ using json = nlohmann::ordered_json;
 constexpr double trialSeconds = 2.0;  // what --dry-run computes for its estimate
 constexpr int mostThreads = 1024;
 
-struct Options {
+struct EnsembleCommandOptions {
   std::string study, output;
   int threads = 0, rank = 0, ranks = 0;
   bool join = false, dryRun = false, json = false;
@@ -50,12 +50,12 @@ Study readStudyFile(const std::string& name) {
   return study;
 }
 
-int threadsOf(const Options& options) {
+int threadsOf(const EnsembleCommandOptions& options) {
   if (options.threads > 0) return options.threads;
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
-void check(const Options& options) {
+void check(const EnsembleCommandOptions& options) {
   if (!options.dryRun && options.output.empty()) throw ValueFailure("-o is missing; name the table, as -o table.csv");
   if (!options.output.empty()) requireEnding(options.output, {"csv"});
   if (options.join && options.isShared())
@@ -79,13 +79,13 @@ struct Opened {
   }
 };
 
-std::int64_t blocksOf(const Opened& opened, const Options& options) {
+std::int64_t blocksOf(const Opened& opened, const EnsembleCommandOptions& options) {
   const std::int64_t ranks = std::max(1, options.ranks);
   return (opened.run.cases().blockCount() - options.rank + ranks - 1) / ranks;
 }
 
 /// How many cases of this command's share are still to do.
-std::int64_t casesLeft(const Opened& opened, const Options& options, const StudyRows& done) {
+std::int64_t casesLeft(const Opened& opened, const EnsembleCommandOptions& options, const StudyRows& done) {
   std::int64_t left = 0;
   for (std::int64_t i = 0; i < blocksOf(opened, options); ++i) {
     const StudyBlock block = opened.run.cases().block(options.rank + i * std::max(1, options.ranks));
@@ -95,7 +95,7 @@ std::int64_t casesLeft(const Opened& opened, const Options& options, const Study
 }
 
 /// Computes what is missing and appends it. @return how many cases
-std::int64_t compute(Opened& opened, const Options& options, StudyRows& done) {
+std::int64_t compute(Opened& opened, const EnsembleCommandOptions& options, StudyRows& done) {
   PartFile part(options.isShared() ? rankPartName(options.output, options.rank) : partName(options.output),
                 *opened.table);
   done.readAll(options.output);  // again: what came before the part was ours alone
@@ -139,11 +139,11 @@ double secondsPerCase(Opened& opened) {
   return seconds() / static_cast<double>(computed);
 }
 
-void tell(const Options& options, const json& facts, const std::string& sentence) {
+void tell(const EnsembleCommandOptions& options, const json& facts, const std::string& sentence) {
   std::cout << (options.json ? facts.dump(2) : sentence) << "\n";
 }
 
-void tryOut(Opened& opened, const Options& options, const StudyRows& done) {
+void tryOut(Opened& opened, const EnsembleCommandOptions& options, const StudyRows& done) {
   const std::int64_t count = opened.run.cases().count(), left = casesLeft(opened, options, done);
   const double each = secondsPerCase(opened);
   const double whole = each * static_cast<double>(left) / threadsOf(options);
@@ -158,14 +158,14 @@ void tryOut(Opened& opened, const Options& options, const StudyRows& done) {
 }
 
 /// The finished table, from all that ranks and earlier runs have done.
-void finish(const Opened& opened, const Options& options, const StudyRows& done, std::int64_t computed) {
+void finish(const Opened& opened, const EnsembleCommandOptions& options, const StudyRows& done, std::int64_t computed) {
   const std::int64_t count = opened.run.cases().count();
   done.writeTable(options.output, opened.table->head());
   tell(options, {{"table", options.output}, {"cases", count}, {"computed", computed}},
        options.output + ": " + std::to_string(count) + " cases, " + std::to_string(computed) + " computed now");
 }
 
-void run(const Options& options) {
+void run(const EnsembleCommandOptions& options) {
   check(options);
   noteInterruptions();
   Opened opened(options.study);
@@ -191,7 +191,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addEnsembleCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EnsembleCommandOptions>();
   CLI::App* command = program.add_subcommand("ensemble", "Measure every case of a study in one table");
   command->add_option("study", options->study, "Faces, schemes, a, N, expressions, frames and measures: STUDY.json")
       ->required();
