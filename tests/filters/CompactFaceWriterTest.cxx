@@ -7,7 +7,9 @@
 #include "ErrorCounter.h"
 #include "FaceFiles.h"
 #include "ReferenceData.h"
+#include "RefusedFace.h"
 #include "TemporaryFolder.h"
+#include "WholeFile.h"
 #include "TextFile.h"
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 #include "vtkCompactFaceWriter.h"
@@ -47,16 +49,6 @@ mien::FaceCurves readBack(const std::string& file) {
 
 double rmsBetween(const mien::FaceCurves& a, const mien::FaceCurves& b) {
   return std::sqrt((a.curves.points - b.curves.points).rowwise().squaredNorm().mean());
-}
-
-void expectRefused(const std::string& file, const std::string& word) {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  ErrorCounter errors(reader);
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  EXPECT_NE(errors.first().find(file + ": "), std::string::npos) << errors.first();
-  EXPECT_NE(errors.first().find(word), std::string::npos) << errors.first();
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 }  // namespace
@@ -121,13 +113,13 @@ TEST(CompactFaceReader, TheFirstBytesTellTheFormatWhateverTheEnding) {
 
 TEST(CompactFaceReader, WrongFilesAreRefusedWithTheirName) {
   const TemporaryFolder folder;
-  expectRefused(folder.file("none.mienz"), "there is no such file");
+  expectRefusedFace(folder.file("none.mienz"), "there is no such file");
   for (const std::string text : {"", "MIENZ", "<VTKFile type=\"PolyData\">"}) {
     writeTextFile(folder.file("a.mienz"), text);
-    expectRefused(folder.file("a.mienz"), "copy the file again");
+    expectRefusedFace(folder.file("a.mienz"), "copy the file again");
   }
   writeTextFile(folder.file("large.mienz"), std::string(std::size_t(5) << 20, 'M'));
-  expectRefused(folder.file("large.mienz"), "larger than any compact face");
+  expectRefusedFace(folder.file("large.mienz"), "larger than any compact face");
 }
 
 TEST(CompactFaceWriter, FaultsAreErrorsAndLeaveNoFile) {
@@ -184,5 +176,5 @@ TEST(CompactFaceWriter, AFileThatCannotGetItsNameLeavesNothingBehind) {
   writer->SetFileName(name.c_str());
   writer->Write();
   EXPECT_NE(errors.first().find(name + ": it cannot be written"), std::string::npos) << errors.first();
-  EXPECT_FALSE(std::filesystem::exists(name + ".part"));
+  EXPECT_FALSE(std::filesystem::exists(mien::WholeFile::temporaryNameOf(name)));
 }
