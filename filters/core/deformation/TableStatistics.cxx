@@ -8,7 +8,6 @@ namespace mien {
 namespace {
 
 using Coefficients = QuadraticMap::Coefficients;
-constexpr int regionCount = DeformationTable::regionCount;
 
 }  // namespace
 
@@ -16,7 +15,7 @@ DeformationTable meanTable(const std::vector<DeformationTable>& tables) {
   DeformationTable mean;
   mean.counts.emplace();
   if (tables.size() > 1) mean.deviations.emplace();
-  for (int i = 0; i < regionCount; ++i) {
+  for (int i = 0; i < DeformationTable::regionCount; ++i) {
     std::vector<Coefficients> known;
     for (const DeformationTable& table : tables)
       if (table.knows(i + 1)) known.push_back(table.maps[i].coefficients);
@@ -45,7 +44,7 @@ bool isCompared(const DeformationTable& fit, const DeformationTable& mean, int r
 
 std::vector<int> outsideRange(const DeformationTable& fit, const DeformationTable& mean) {
   std::vector<int> outside;
-  for (int i = 0; i < 12 * regionCount; ++i) {
+  for (int i = 0; i < 12 * DeformationTable::regionCount; ++i) {
     const int region = i / 12, row = i % 12 / 6, column = i % 6;
     if (!isCompared(fit, mean, region + 1)) continue;
     const double difference = fit.maps[region].coefficients(row, column) - mean.maps[region].coefficients(row, column);
