@@ -197,7 +197,7 @@ template <class Scalar>
 void expectRowsAtOnceAreThoseOneByOne(int columnCount, double tolerance) {
   FaceSurfaceOptions options;
   PDESurface<Scalar> surface(facePieces(options, RowLayout(83, false)), HarmonicSplit(40, 5, true),
-                             FaceLayout::curveCount, columns(columnCount));
+                             FaceLayout::curveCount, evenColumns(columnCount));
   surface.setCurves(randomFace().curves);
   const JetRows<Scalar> all(surface, 0, 83);
   const RowMajor<Scalar>* const grids[] = {&all.s, &all.su, &all.sv};
@@ -230,7 +230,7 @@ TEST(PDESurface, RowsAtOnceAreThoseOneByOneToTheBit) {
 }
 
 TEST(PDESurface, WhereNoTangentPlaneIsTheNormalBeforeIsRepeated) {
-  PDESurface<double> surface = makeFace({}, 29, 40, columns(40));
+  PDESurface<double> surface = makeFace({}, 29, 40, evenColumns(40));
   RowMajor<double> s(1, 120), normals(1, 120);
   ClosedCurves onePoint(FaceLayout::curveCount, 40);
   onePoint.points.setZero();
