@@ -4,7 +4,7 @@
  *
  * Input: vtkTable of 16 rows, columns as described in FDTData.h. Text is read back without a difference, packed
  * tables within packingError() of PackedTable.h and without deviations. A file is written under a temporary name
- * (`FILE.part`) and renamed. Errors: a table that is none or too large to be packed, no name, a file that cannot be
+ * (WholeFile.h) and renamed. Errors: a table that is none or too large to be packed, no name, a file that cannot be
  * written.
  * @sa vtkFDTReader
  */

@@ -1,5 +1,7 @@
 #include "WholeFile.h"
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <system_error>
 #include <vtksys/FStream.hxx>
@@ -26,6 +28,13 @@ bool WholeFile::commit() {
 std::string WholeFile::write(const std::string& name, const std::string& bytes) {
   WholeFile file(name);
   return file.fill(bytes) && file.commit() ? std::string() : unwritable;
+}
+
+std::string WholeFile::temporaryNameOf(const std::string& name) {
+  const std::filesystem::path path(name);
+  const std::string hidden =
+      "." + path.stem().string() + ".mien-" + std::to_string(getpid()) + path.extension().string();
+  return (path.parent_path() / hidden).string();
 }
 
 }  // namespace mien

@@ -8,6 +8,7 @@
 #include "FaceFiles.h"
 #include "ReferenceData.h"
 #include "TemporaryFolder.h"
+#include "WholeFile.h"
 #include "TextFile.h"
 #include "vtkBoundaryCurveAcquisitionFilter.h"
 #include "vtkCompactFaceWriter.h"
@@ -184,5 +185,5 @@ TEST(CompactFaceWriter, AFileThatCannotGetItsNameLeavesNothingBehind) {
   writer->SetFileName(name.c_str());
   writer->Write();
   EXPECT_NE(errors.first().find(name + ": it cannot be written"), std::string::npos) << errors.first();
-  EXPECT_FALSE(std::filesystem::exists(name + ".part"));
+  EXPECT_FALSE(std::filesystem::exists(mien::WholeFile::temporaryNameOf(name)));
 }

@@ -8,6 +8,7 @@
 #include "PackedTable.h"
 #include "PipelineErrors.h"
 #include "TemporaryFolder.h"
+#include "WholeFile.h"
 #include "TextFile.h"
 #include "vtkDoubleArray.h"
 #include "vtkFDTDeformationFilter.h"
@@ -183,7 +184,7 @@ TEST(FDTFiles, NothingHalfIsWritten) {
   writer->SetFileName(file.c_str());
   writer->Write();
   EXPECT_EQ(readTextFile(file).rfind("region,", 0), 0u);
-  EXPECT_FALSE(std::ifstream(file + ".part").good());
+  EXPECT_FALSE(std::ifstream(mien::WholeFile::temporaryNameOf(file)).good());
 }
 
 TEST(FDTFiles, TheReaderNamesFileAndLine) {

@@ -48,7 +48,3 @@ inline Outcome runMien(const std::vector<std::string>& arguments) {
   return outcome;
 }
 
-/// How many files and folders, hidden ones too, there are in a folder.
-inline long entriesIn(const std::string& folder) {
-  return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
-}

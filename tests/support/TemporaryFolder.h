@@ -25,3 +25,8 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
+
+/// How many files and folders, hidden ones too, there are in a folder.
+inline long entriesIn(const std::string& folder) {
+  return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+}

@@ -9,6 +9,7 @@
 #include "Comparison.h"
 #include "FaceModel.h"
 #include "FileOpener.h"
+#include "ReferenceData.h"
 #include "ReferenceFace.h"
 #include "ScanPanel.h"
 #include "StudioFixture.h"
@@ -76,18 +77,29 @@ TEST_F(FileOpener, ScansGoToTheCurvesDock) {
   auto* panel = find<mien::ScanPanel>("scanPanel");
   EXPECT_FALSE(isShown("curvesDock"));
   EXPECT_TRUE(window->openFile(malformed + "scans/cut_off_in_faces.ply"));
-  EXPECT_TRUE(isShown("curvesDock"));
   ASSERT_TRUE(waitUntil([&] { return !panel->isMeasuring(); }, 60000));
   EXPECT_TRUE(message().contains("cut_off_in_faces.ply")) << message().toStdString();
   EXPECT_FALSE(panel->hasScan());
+  EXPECT_FALSE(isShown("curvesDock")) << "it would be empty";
+  MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
+  EXPECT_TRUE(window->openFile(QString::fromStdString(referencePath("heads/subject01_neutral.ply"))));
+  ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, 120000));
+  EXPECT_TRUE(isShown("curvesDock"));
+}
+
+TEST_F(FileOpener, APhotographThatIsRefusedOpensNoDock) {
+  EXPECT_TRUE(window->openFile(write("cut.png", QByteArray("\x89PNG\r\n\x1a\n", 8))));
+  ASSERT_TRUE(waitUntil([&] { return message().contains("cut.png"); }, 60000));
+  settle();
+  EXPECT_FALSE(isShown("textureDock"));
+  EXPECT_TRUE(state().texture.empty());
 }
 
 TEST_F(FileOpener, PhotographsAndTheirMeshesGoToTheTextureDock) {
   EXPECT_FALSE(window->openFile(data + "textures/painted_7x7.csv"));
   EXPECT_TRUE(message().contains("open the photograph first")) << message().toStdString();
   EXPECT_TRUE(window->openFile(data + "textures/painted.png"));
-  EXPECT_TRUE(isShown("textureDock"));
-  ASSERT_TRUE(waitUntil([&] { return !state().texture.empty(); }, 60000));
+  ASSERT_TRUE(waitUntil([&] { return isShown("textureDock"); }, 60000));
   EXPECT_TRUE(QString::fromStdString(state().texture).endsWith("painted.png"));
   EXPECT_TRUE(window->openFile(data + "textures/painted_7x7.csv"));
   EXPECT_TRUE(waitUntil([&] { return QString::fromStdString(state().textureMesh).endsWith("painted_7x7.csv"); }, 60000))

@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include "FaceModel.h"
@@ -25,6 +26,50 @@ TEST_F(MessageBar, AnErrorGoesWithTheNextSuccessAndStaysInTheLog) {
   ASSERT_EQ(log.size(), 1u);
   EXPECT_TRUE(log[0].isError);
   EXPECT_EQ(log[0].sentence, said);
+}
+
+/// The face must not jump while it is looked at.
+TEST_F(MessageBar, NothingMovesWhenAMessageComesAndGoes) {
+  const char* const names[] = {"faceView", "curveView", "viewArea", "timelinePanel"};
+  const auto places = [&] {
+    settle();
+    std::vector<QRect> all;
+    for (const char* name : names) {
+      auto* widget = find<QWidget>(name);
+      all.emplace_back(widget->mapTo(window.get(), QPoint()), widget->size());
+    }
+    return all;
+  };
+  auto* bar = find<mien::MessageBar>("messageBar");
+  for (const QSize& size : {QSize(1280, 800), QSize(1024, 700)}) {
+    window->resize(size);
+    const std::vector<QRect> before = places();
+    bar->showError(QString("A long sentence about a file. ").repeated(8), "line 1\nline 2");
+    EXPECT_EQ(places(), before);
+    const QRect views(before[2]), shown(bar->mapTo(window.get(), QPoint()), bar->size());
+    EXPECT_TRUE(views.contains(shown)) << "over the views";
+    find<QToolButton>("messageMore")->click();
+    EXPECT_EQ(places(), before);
+    EXPECT_GT(bar->height(), shown.height());
+    QTest::mouseClick(find<QToolButton>("messageClose"), Qt::LeftButton);
+    EXPECT_EQ(places(), before);
+    EXPECT_FALSE(bar->isVisible());
+  }
+}
+
+TEST_F(MessageBar, ANoteLeavesByItselfAndAnErrorStays) {
+  auto* bar = find<mien::MessageBar>("messageBar");
+  const int some = mien::MessageBar::noteTime + 1000;
+  bar->showNote("One was written.", "/somewhere/one");
+  EXPECT_TRUE(bar->isVisible());
+  EXPECT_TRUE(waitUntil([&] { return !bar->isVisible(); }, 2 * some));
+  bar->showNote("Two was written.", "/somewhere/two");
+  find<QToolButton>("messageMore")->click();
+  QTest::qWait(some);
+  EXPECT_TRUE(bar->isVisible()) << "while its details are read";
+  bar->showError("Three is damaged", "line 3");
+  QTest::qWait(some);
+  EXPECT_TRUE(bar->isVisible());
 }
 
 TEST_F(MessageBar, TheLogShowsTheNewestFirstWithDetailsAndIsCopied) {

@@ -20,9 +20,11 @@
 #include "Autosave.h"
 #include "FaceModel.h"
 #include "FaceStateText.h"
+#include "MessageBar.h"
 #include "SessionDocument.h"
 #include "SessionFile.h"
 #include "StudioWindow.h"
+#include "Tour.h"
 
 namespace {
 
@@ -61,6 +63,21 @@ class Recovery : public testing::Test {
   static QStringList kept() {
     return QDir(mien::Autosave::usualFolder()).entryList({QString("*") + mien::SessionFile::ending}, QDir::Files);
   }
+  /// As a process left it that was killed. @return its file
+  static QString keep(const QString& name, const QByteArray& text) {
+    const QDir folder(mien::Autosave::usualFolder());
+    folder.mkpath(".");
+    QFile file(folder.filePath(name + mien::SessionFile::ending));
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text);
+    return file.fileName();
+  }
+
+  static QString said(mien::StudioWindow& window) {
+    const auto* messages = window.findChild<mien::MessageBar*>();
+    return messages->isVisible() ? messages->sentence() : QString();
+  }
+
   static QFrame* bar(mien::StudioWindow& window) { return window.findChild<QFrame*>("recoveryBar"); }
 
   QTemporaryDir data, settings;
@@ -145,18 +162,72 @@ TEST_F(Recovery, NothingIsLeftAfterAnEndInGoodOrder) {
   EXPECT_EQ(kept(), QStringList());
 }
 
-TEST_F(Recovery, OfADamagedFileSaysSoAndKeepsIt) {
-  QDir().mkpath(mien::Autosave::usualFolder());
-  QFile damaged(QDir(mien::Autosave::usualFolder()).filePath(QString("a") + mien::SessionFile::ending));
-  ASSERT_TRUE(damaged.open(QIODevice::WriteOnly));
-  damaged.write("{\"format\": \"mien sess");
-  damaged.close();
+TEST_F(Recovery, OfADamagedFileSaysSoOnceAndPutsItAside) {
+  const QString name = keep("a", "{\"format\": \"mien sess");
+  {
+    const auto window = start();
+    EXPECT_FALSE(bar(*window)->isVisible());
+    EXPECT_TRUE(said(*window).contains("line 1 is damaged")) << said(*window).toStdString();
+    EXPECT_TRUE(said(*window).contains(name + ".damaged")) << said(*window).toStdString();
+    EXPECT_EQ(window->model().state(), mien::FaceState());
+  }
+  EXPECT_EQ(kept(), QStringList());
+  QFile aside(name + ".damaged");
+  ASSERT_TRUE(aside.open(QIODevice::ReadOnly));
+  EXPECT_EQ(aside.readAll(), "{\"format\": \"mien sess");
+  EXPECT_EQ(said(*start()), "");
+}
+
+TEST_F(Recovery, OneThatIsWholeButCannotBeShownIsPutAsideAndTheNextOneOffered) {
+  keep("a", "{\"format\": \"mien session\", \"version\": 1, \"face\": 7}");
+  QTest::qWait(20);
+  keep("b", "{\"format\": \"mien session\", \"version\": 1}");
   const auto window = start();
   ASSERT_TRUE(bar(*window)->isVisible());
+  auto* restore = window->findChild<QToolButton*>("recoveryRestore");
+  QTest::mouseClick(restore, Qt::LeftButton);
+  EXPECT_TRUE(said(*window).contains("cannot be opened")) << said(*window).toStdString();
+  EXPECT_TRUE(bar(*window)->isVisible());
+  QTest::mouseClick(restore, Qt::LeftButton);
+  EXPECT_FALSE(bar(*window)->isVisible());
+  EXPECT_EQ(kept(), QStringList());
+}
+
+TEST_F(Recovery, BringsTheNameOfTheSessionBack) {
+  const QString session = data.filePath("joy.mien-session.json");
+  QByteArray text;
+  {
+    const auto window = start();
+    ASSERT_TRUE(window->document().save(session));
+    changeByHand(*window);
+    ASSERT_TRUE(QTest::qWaitFor([] { return kept().size() == 1; }, longWait));
+    QFile file(QDir(mien::Autosave::usualFolder()).filePath(kept().front()));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    text = file.readAll();
+  }
+  keep("killed", text);
+  const auto window = start();
+  EXPECT_TRUE(window->findChild<QLabel*>("recoverySentence")->text().contains("joy.mien-session.json"));
   QTest::mouseClick(window->findChild<QToolButton*>("recoveryRestore"), Qt::LeftButton);
-  EXPECT_TRUE(window->findChild<QLabel*>("messageSentence")->text().contains("line 1 is damaged"));
-  EXPECT_EQ(window->model().state(), mien::FaceState());
-  EXPECT_EQ(kept().size(), 1);
+  EXPECT_EQ(window->windowTitle().toStdString(), "joy.mien-session.json (recovered)[*]");
+  EXPECT_TRUE(window->isWindowModified());
+  EXPECT_EQ(window->document().fileName(), session);
+  ASSERT_TRUE(window->document().save());
+  EXPECT_EQ(window->windowTitle().toStdString(), "joy.mien-session.json[*]");
+  window->findChild<QAction*>("actionNewSession")->trigger();
+  EXPECT_EQ(window->windowTitle().toStdString(), "New session[*]");
+}
+
+TEST_F(Recovery, IsOfferedBeforeTheTour) {
+  const QString name = keep("a", "{\"format\": \"mien session\", \"version\": 1}");
+  const auto hasTour = [](mien::StudioWindow& window) {
+    mien::Tour::showAtFirstStart(window);
+    QTest::qWait(50);
+    return window.findChild<QWidget*>("tour") != nullptr;
+  };
+  EXPECT_FALSE(hasTour(*start()));
+  QFile::remove(name);
+  EXPECT_TRUE(hasTour(*start())) << "at the next start";
 }
 
 TEST_F(Recovery, RecentFilesAreRememberedAndOpenedFromTheMenu) {

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
+#include <vtkActorCollection.h>
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
 #include <QPlainTextEdit>
@@ -10,6 +14,7 @@
 
 #include "BoundaryCurveData.h"
 #include "FaceModel.h"
+#include "FaceView.h"
 #include "ReferenceData.h"
 #include "ScanPanel.h"
 #include "StudioFixture.h"
@@ -72,6 +77,43 @@ TEST_F(ScanPanel, AScanIsMeasuredAdoptedAndCompared) {
   ASSERT_TRUE(waitUntil([&] { return report().startsWith("Scan to face"); }, longest));
   find<QComboBox>("scanDistances")->setCurrentIndex(0);
   EXPECT_TRUE(waitUntil([&] { return report().startsWith("/") || !report().contains("RMS, median"); }));
+}
+
+/// In every workspace it is told, taken away and closed; the camera steps back for it once.
+TEST_F(ScanPanel, AScanOverTheFaceIsFramedSwitchedAndClosed) {
+  MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
+  auto* view = find<mien::FaceView>("faceView");
+  auto* shown = find<QToolButton>("faceScan");
+  auto* end = find<QAction>("actionCloseScan");
+  const double alone = view->camera()->GetDistance();
+  EXPECT_FALSE(shown->isVisible());
+  EXPECT_FALSE(end->isEnabled());
+  openSubject();
+  ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
+  const double framed = view->camera()->GetDistance();
+  EXPECT_GT(framed, alone);
+  EXPECT_TRUE(end->isEnabled());
+  find<QAction>("actionWorkspace1")->trigger();
+  settle();
+  EXPECT_TRUE(shown->isVisible());
+  const int actors = view->renderer()->GetActors()->GetNumberOfItems();
+  QTest::mouseClick(shown, Qt::LeftButton);
+  EXPECT_EQ(view->renderer()->GetActors()->GetNumberOfItems(), actors - 1);
+  EXPECT_FALSE(find<QCheckBox>("scanVisible")->isChecked());
+  EXPECT_EQ(view->camera()->GetDistance(), framed) << "a switch moves no camera";
+  find<QCheckBox>("scanVisible")->setChecked(true);
+  EXPECT_TRUE(shown->isChecked());
+  view->placeCamera({0, 0, 0}, {0, 0, 1}, 500.0);
+  emit find<QComboBox>("scanUnit")->activated(0);
+  ASSERT_TRUE(waitUntil([&] { return !panel->isMeasuring(); }, longest));
+  EXPECT_EQ(view->camera()->GetDistance(), 500.0) << "measured again, it leaves the user's camera alone";
+  end->trigger();
+  settle();
+  EXPECT_FALSE(panel->hasScan());
+  EXPECT_FALSE(shown->isVisible());
+  EXPECT_FALSE(end->isEnabled());
+  EXPECT_EQ(view->renderer()->GetActors()->GetNumberOfItems(), actors - 1);
+  EXPECT_NEAR(view->camera()->GetDistance(), alone, 1e-9 * alone);
 }
 
 TEST_F(ScanPanel, CancellingLeavesNoScan) {

@@ -9,6 +9,7 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
@@ -25,6 +26,7 @@
 #include "FaceModel.h"
 #include "FaceStateText.h"
 #include "History.h"
+#include "MessageBar.h"
 #include "SessionDocument.h"
 #include "SessionFile.h"
 #include "StudioFixture.h"
@@ -256,6 +258,33 @@ TEST_F(Session, TheTitleNamesTheFileAndMarksWhatHasChanged) {
   EXPECT_TRUE(window->isWindowModified());
   window->history().undo();
   EXPECT_FALSE(window->isWindowModified()) << "as it was saved";
+}
+
+TEST_F(Session, KeepsOfATextThatIsRefusedTheOneBefore) {
+  auto* range = find<QLineEdit>("smoothingRange");
+  const auto type = [&](const QString& text) {
+    range->setText(text);
+    emit range->editingFinished();
+    settle();
+  };
+  type("0.5:2:3");
+  type("from here to there");
+  EXPECT_FALSE(message().isEmpty());
+  EXPECT_EQ(settings()["smoothingDock"]["smoothingRange"], "0.5:2:3");
+  reopen();
+  EXPECT_EQ(find<QLineEdit>("smoothingRange")->text(), "0.5:2:3");
+  EXPECT_EQ(message(), "");
+}
+
+TEST_F(Session, OfAnEarlierVersionWithARefusedTextSaysSoOnce) {
+  ASSERT_TRUE(window->document().save(file("a.mien-session.json")));
+  json session;
+  ASSERT_EQ(mien::SessionFile::read(file("a.mien-session.json"), session), QString());
+  session["docks"]["smoothingDock"]["smoothingRange"] = "nonsense";
+  ASSERT_EQ(mien::SessionFile::write(session, file("b.mien-session.json")), QString());
+  const size_t said = find<mien::MessageBar>("messageBar")->log().size();
+  EXPECT_TRUE(window->document().open(file("b.mien-session.json")));
+  EXPECT_EQ(find<mien::MessageBar>("messageBar")->log().size(), said + 1);
 }
 
 TEST_F(Session, OpensTheStateThatAFigureCarries) {

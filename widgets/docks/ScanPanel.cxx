@@ -243,22 +243,37 @@ void ScanPanel::restoreSession(const nlohmann::json& state) {
   landmarkFile_ = name("landmarks");
   landmarks_->setChecked(!landmarkFile_.isEmpty());
   showLandmarkFile();
-  if (file_.isEmpty()) return close();
+  if (file_.isEmpty()) return forget();
+  framed_ = file_;  // the camera is kept as well
   QTimer::singleShot(0, this, &ScanPanel::measure);
 }
 
 void ScanPanel::close() {
+  file_.clear();
+  landmarkFile_.clear();
+  landmarks_->setChecked(false);
+  showLandmarkFile();
+  forget();
+}
+
+/// The view is of the face alone again.
+void ScanPanel::forget() {
   task_->cancel();
+  const bool wasShown = scan_;
   curves_ = nullptr;
   scan_ = nullptr;
   text_.clear();
+  framed_.clear();
   map_->setScan(nullptr);
   showScan();
   showReport();
+  if (wasShown) view_->fit();
+  emit scanChanged();
 }
 
 void ScanPanel::measure() {
   if (file_.isEmpty()) return;
+  emit scanChanged();
   AcquireOptions options;
   options.landmarkFile = landmarkFile_.toStdString();
   options.report = true;
@@ -285,6 +300,9 @@ void ScanPanel::take(const Found& found) {
   map_->setScan(scan_);
   showScan();
   showReport();
+  if (framed_ != file_) view_->fit();  // once: the camera is the user's from then on
+  framed_ = file_;
+  emit scanChanged();
 }
 
 bool ScanPanel::adopt(const QString& fileName) {
@@ -316,6 +334,7 @@ void ScanPanel::showReport() {
 /// Where the scan itself is coloured by distances, the plain one would cover it.
 void ScanPanel::showScan() {
   view_->renderer()->RemoveActor(actor_);
+  view_->setCompany(scan_ && visible_->isChecked() ? scan_->GetBounds() : nullptr);
   if (scan_ && visible_->isChecked() && map_->subject() == DistanceMap::Subject::None) {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(scan_);

@@ -40,13 +40,16 @@ class ScanPanel : public QWidget, public SessionPart {
   void openDropped(const QString& fileName);
   bool isMeasuring() const;
   bool hasScan() const { return scan_; }
+  bool isOpen() const { return !file_.isEmpty(); }  ///< be it measured or not
+  void close();                                     ///< forgets the scan and its landmarks, and stops measuring
 
   nlohmann::json sessionState() const override;  ///< file names `scan` and `landmarks`; empty without
   QString changeName() const override { return tr("scan"); }
   void restoreSession(const nlohmann::json& state) override;
 
  signals:
-  void opened();  ///< whatever came of it
+  void opened();       ///< whatever came of it
+  void scanChanged();  ///< there is another one, or none, or one that is being measured
 
  private:
   struct Found;
@@ -56,7 +59,7 @@ class ScanPanel : public QWidget, public SessionPart {
   void connectButtons();
   void connectMap();
   void measure();
-  void close();
+  void forget();
   void take(const Found& found);
   void choose();
   void chooseLandmarks(bool on);
@@ -78,6 +81,7 @@ class ScanPanel : public QWidget, public SessionPart {
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> curves_, scan_;
   QString file_, landmarkFile_, text_;
+  QString framed_;  ///< the scan that the camera has been moved back for
 };
 
 }  // namespace mien

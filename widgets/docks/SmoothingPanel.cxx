@@ -26,6 +26,7 @@
 #include "FlipBox.h"
 #include "LiveUpdate.h"
 #include "NumberRange.h"
+#include "SessionPart.h"
 #include "SweepBreakdown.h"
 #include "SweepFigure.h"
 #include "Theme.h"
@@ -127,6 +128,7 @@ void SmoothingPanel::describeControls() {
   range_->setToolTip(
       tr("The values of a (no unit): 0.1:100:31log is 31 values, each the same factor larger; 0.5,1,2 a list"));
   range_->setMaximumWidth(130);
+  range_->setProperty(acceptedText, range_->text());
   progress_->setObjectName("smoothingProgress");
   progress_->setToolTip(tr("How much of the sweep is computed"));
   progress_->setMaximumWidth(120);
@@ -214,6 +216,7 @@ bool SmoothingPanel::readRange() {
     return false;
   }
   values_ = values;
+  range_->setProperty(acceptedText, range_->text());
   if (cancelled_) subject_ = {};
   return true;
 }

@@ -168,6 +168,7 @@ void TexturePanel::connectControls() {
   });
   connect(mesh_, &WarpMeshView::chosenChanged, this, &TexturePanel::showChosen);
   connect(photograph_, &FacePhotograph::opened, this, &TexturePanel::showPhotograph);
+  connect(photograph_, &FacePhotograph::opened, this, &TexturePanel::opened);
   connect(photograph_, &FacePhotograph::meshChanged, this, &TexturePanel::showPhotograph);
   connect(photograph_, &FacePhotograph::warpedChanged, this, [this] { warped_->setPicture(photograph_->warped()); });
   connect(photograph_, &FacePhotograph::refused, this, [this](const QString& sentence) {
@@ -185,6 +186,10 @@ void TexturePanel::connectControls() {
 void TexturePanel::open(const QString& fileName) {
   if (fileName.isEmpty()) return;
   fileName.endsWith(".csv", Qt::CaseInsensitive) ? photograph_->openMesh(fileName) : photograph_->open(fileName);
+}
+
+QString TexturePanel::fileName() const {
+  return photograph_->isOpen() ? photograph_->fileName() : QString();
 }
 
 void TexturePanel::chooseImage() {

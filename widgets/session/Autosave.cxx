@@ -16,6 +16,8 @@ namespace mien {
 
 namespace {
 
+constexpr const char *member = "autosave", *asideEnding = ".damaged";
+
 QString lockOf(const QString& file) {
   return file + ".lock";
 }
@@ -62,20 +64,62 @@ void Autosave::findOrphans() {
     auto lock = lockFor(file.filePath());
     if (lock->tryLock(0)) orphans_.push_back({file.filePath(), std::move(lock)});
   }
+  putDamagedAside();
+}
+
+void Autosave::putDamagedAside() {
+  std::vector<Orphan> whole;
+  for (; !orphans_.empty();) {
+    nlohmann::json session;
+    const QString damage = readOrphan(session);
+    if (damage.isEmpty()) {
+      whole.push_back(std::move(orphans_.front()));
+      orphans_.erase(orphans_.begin());
+      continue;
+    }
+    const QString aside = orphans_.front().file + asideEnding;
+    putAside();
+    if (fault_.isEmpty()) fault_ = tr("What Mien Studio kept when it ended unexpectedly cannot be shown.");
+    fault_ += tr(" %1. It was put aside as %2.").arg(damage, QDir::toNativeSeparators(aside));
+  }
+  orphans_ = std::move(whole);
 }
 
 QString Autosave::orphanText() const {
   if (orphans_.empty()) return {};
-  return QLocale().toString(QFileInfo(orphans_.front().file).lastModified(), QLocale::ShortFormat);
+  nlohmann::json session;
+  readOrphan(session);
+  const QString name = QFileInfo(documentOf(session)).fileName();
+  const QString time = QLocale().toString(QFileInfo(orphans_.front().file).lastModified(), QLocale::ShortFormat);
+  return name.isEmpty()
+             ? tr("Mien Studio ended unexpectedly. What it showed last, %1, was kept.").arg(time)
+             : tr("Mien Studio ended unexpectedly. What was changed in %1 until %2 was kept.").arg(name, time);
 }
 
 QString Autosave::readOrphan(nlohmann::json& session) const {
   return orphans_.empty() ? QString() : SessionFile::read(orphans_.front().file, session);
 }
 
-void Autosave::discardOrphans() {
-  for (const Orphan& orphan : orphans_) QFile::remove(orphan.file);
-  orphans_.clear();
+void Autosave::discardOrphan() {
+  if (orphans_.empty()) return;
+  QFile::remove(orphans_.front().file);
+  orphans_.erase(orphans_.begin());
+}
+
+/// One that cannot be renamed would be told of at every start.
+void Autosave::putAside() {
+  if (orphans_.empty()) return;
+  const QString file = orphans_.front().file;
+  QFile::remove(file + asideEnding);
+  if (!QFile::rename(file, file + asideEnding)) QFile::remove(file);
+  orphans_.erase(orphans_.begin());
+}
+
+QString Autosave::documentOf(const nlohmann::json& session) {
+  const auto own = session.find(member);
+  if (own == session.end() || !own->is_object()) return {};
+  const auto file = own->find("document");
+  return file != own->end() && file->is_string() ? QString::fromStdString(file->get<std::string>()) : QString();
 }
 
 /// Without a place to write to there is none; nobody is troubled with that.
@@ -85,7 +129,9 @@ void Autosave::write() {
     lock_ = lockFor(file_);
     lock_->tryLock(0);
   }
-  SessionFile::write(session_->whole(), file_);
+  nlohmann::json session = session_->whole();
+  session[member] = {{"document", document_.toStdString()}};
+  SessionFile::write(session, file_);
 }
 
 }  // namespace mien

@@ -15,7 +15,8 @@ class History;
 class Session;
 
 /// Keeps what has changed in a file of this process until it ends in good order, and finds the files of those that did
-/// not. Each has a lock beside it, which ends with its process.
+/// not. Each has a lock beside it, which ends with its process. The file is a session with the member
+/// `autosave`: {"document": the file whose session it is, or empty}.
 class Autosave : public QObject {
   Q_OBJECT
  public:
@@ -28,11 +29,21 @@ class Autosave : public QObject {
   static QString usualFolder();  ///< in the user's local data
 
   bool hasOrphan() const { return !orphans_.empty(); }
-  QString orphanText() const;  ///< when its process last wrote it, in words
+  QString orphanText() const;  ///< whose session it is and when its process last wrote it, in a sentence
 
   /// Reads the newest file of a process that ended without leave. @return nothing, or what is wrong with it
   QString readOrphan(nlohmann::json& session) const;
-  void discardOrphans();
+  void discardOrphan();  ///< the next one is the newest then
+  void putAside();       ///< renames the newest, so that it is not offered again and a later version may read it
+
+  /// What was wrong with files that were found damaged, and how they are called now; empty without. Each is told once.
+  QString fault() const { return fault_; }
+
+  /// The file whose session this is; empty: none.
+  static QString documentOf(const nlohmann::json& session);
+
+ public slots:
+  void setDocument(const QString& fileName) { document_ = fileName; }
 
  private:
   struct Orphan {
@@ -40,10 +51,11 @@ class Autosave : public QObject {
     std::unique_ptr<QLockFile> lock;
   };
   void findOrphans();
+  void putDamagedAside();
   void write();
 
   Session* session_;
-  QString folder_, file_;
+  QString folder_, file_, document_, fault_;
   std::unique_ptr<QLockFile> lock_;
   QTimer* timer_;
   std::vector<Orphan> orphans_;  ///< the newest first; locked, so that another start does not offer them too

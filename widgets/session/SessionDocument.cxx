@@ -6,14 +6,18 @@
 #include <QMessageBox>
 #include <nlohmann/json.hpp>
 
+#include "Autosave.h"
 #include "FaceModel.h"
 #include "History.h"
 #include "Session.h"
 #include "SessionFile.h"
+#include "SessionPart.h"
 
 namespace mien {
 
 namespace {
+
+using json = nlohmann::json;
 
 SessionDocument::Answer ask(QWidget* window, const QString& name) {
   const auto answer =
@@ -35,6 +39,8 @@ SessionDocument::SessionDocument(Session* session, History* history, FaceModel* 
   showTitle();
 }
 
+SessionDocument::~SessionDocument() = default;
+
 bool SessionDocument::isModified() const {
   return !history_->isClean();
 }
@@ -42,13 +48,28 @@ bool SessionDocument::isModified() const {
 /// The desktop adds the program's name.
 void SessionDocument::showTitle() {
   const QString name = file_.isEmpty() ? tr("New session") : QFileInfo(file_).fileName();
-  window_->setWindowTitle(name + "[*]");
+  window_->setWindowTitle((recovered_ ? tr("%1 (recovered)").arg(name) : name) + "[*]");
   window_->setWindowModified(isModified());
 }
 
-void SessionDocument::take(const QString& fileName) {
-  file_ = QFileInfo(fileName).absoluteFilePath();
+void SessionDocument::take(const QString& fileName, bool isRecovered) {
+  file_ = fileName.isEmpty() ? QString() : QFileInfo(fileName).absoluteFilePath();
+  recovered_ = isRecovered;
   showTitle();
+  emit named(file_);
+}
+
+/// Docks stay where the user put them, in the workspace that is open.
+void SessionDocument::rememberStart() {
+  start_ = std::make_unique<json>(session_->whole());
+  start_->erase("window");
+  for (json& dock : start_->at("docks")) dock.erase(arrangementPart);
+}
+
+void SessionDocument::startNew() {
+  if (!start_ || !mayClose() || !show(*start_, tr("A new session"), QString())) return;
+  history_->clear();
+  take(QString());
 }
 
 bool SessionDocument::show(const nlohmann::json& session, const QString& name, QString fault) {
@@ -73,6 +94,7 @@ bool SessionDocument::open(const QString& fileName) {
 bool SessionDocument::recover(const nlohmann::json& session, const QString& fault) {
   if (!show(session, tr("What was kept"), fault)) return false;
   history_->clearAsModified();
+  take(Autosave::documentOf(session), true);
   return true;
 }
 

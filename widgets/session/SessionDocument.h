@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QString>
 #include <functional>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 
 class QWidget;
@@ -21,11 +22,18 @@ class SessionDocument : public QObject {
   using Question = std::function<Answer()>;
 
   SessionDocument(Session* session, History* history, FaceModel* model, QWidget* window);
+  ~SessionDocument() override;
 
   /// Opens a session, or a FaceState as figures carry it; the message bar says what is wrong with it, and all stays as
   /// it was. @return whether it was good
   bool open(const QString& fileName);
-  /// Shows a session that was never saved; or says what was wrong with it. @return whether it is shown
+
+  /// Everything but the window's places as it is at the start; asks first where something would be lost.
+  void startNew();
+  void rememberStart();  ///< what that is
+
+  /// Shows a session that an autosave kept, under its own name; or says what was wrong with it. @return whether it is
+  /// shown
   bool recover(const nlohmann::json& session, const QString& fault);
 
   bool save(const QString& fileName);  ///< @return whether it was written; else the message bar says why not
@@ -44,10 +52,11 @@ class SessionDocument : public QObject {
  signals:
   void opened(const QString& fileName);
   void saved(const QString& fileName);
+  void named(const QString& fileName);  ///< whose session this is now; empty: a new one
 
  private:
   bool show(const nlohmann::json& session, const QString& name, QString fault);
-  void take(const QString& fileName);
+  void take(const QString& fileName, bool isRecovered = false);
   void showTitle();
 
   Session* session_;
@@ -55,6 +64,8 @@ class SessionDocument : public QObject {
   FaceModel* model_;
   QWidget* window_;
   QString file_;
+  bool recovered_ = false;
+  std::unique_ptr<nlohmann::json> start_;
   Question question_;
 };
 

@@ -20,6 +20,12 @@ SessionKeeper::SessionKeeper(FaceModel* model, AnimationPlayer* player, QMainWin
     autosave_ = new Autosave(session, history_, Autosave::usualFolder());
   connect(document_, &SessionDocument::opened, recent_, &RecentFiles::add);
   connect(document_, &SessionDocument::saved, recent_, &RecentFiles::add);
+  if (autosave_) connect(document_, &SessionDocument::named, autosave_, &Autosave::setDocument);
+}
+
+void SessionKeeper::begin() {
+  history_->clear();
+  document_->rememberStart();
 }
 
 }  // namespace mien

@@ -20,6 +20,8 @@ class SessionKeeper : public QObject {
  public:
   SessionKeeper(FaceModel* model, AnimationPlayer* player, QMainWindow* window);
 
+  void begin();  ///< once the window is whole: what it shows is a new session, with nothing to undo
+
   History* history() const { return history_; }
   SessionDocument* document() const { return document_; }
   RecentFiles* recent() const { return recent_; }

@@ -88,7 +88,15 @@ bool choosesNothing(const QObject* object, const json& value) {
 
 json valueOf(const QObject* object) {
   if (const auto* part = dynamic_cast<const SessionPart*>(object)) return part->sessionState();
+  if (const QVariant accepted = object->property(acceptedText); accepted.isValid())
+    return accepted.toString().toStdString();
   return toJson(property(object).read(object));
+}
+
+/// A text that is not accepted stands in a field that has another value.
+bool isSetTo(const QObject* object, const json& value) {
+  const auto* text = qobject_cast<const QLineEdit*>(object);
+  return value == valueOf(object) && (!text || value == text->text().toStdString());
 }
 
 std::string dockOf(const QObject* object) {
@@ -145,13 +153,14 @@ void WidgetSettings::apply(const QObject& window, const json& settings) {
   for (int pass = 0; pass < passes && differs; ++pass) {
     differs = false;
     for (const QPointer<QObject>& object : childrenOf(window)) {
-      if (!object) continue;  // what is set may take others away
+      if (!object) continue;                                              // what is set may take others away
+      if (pass > 0 && qobject_cast<QLineEdit*>(object.data())) continue;  // a text that is refused is so again
       const bool isList = qobject_cast<QComboBox*>(object.data()) && !object->objectName().isEmpty();
       if (!isKept(object, Of::Session) && !isList) continue;
       const auto dock = settings.find(dockOf(object));
       if (dock == settings.end() || !dock->is_object()) continue;
       const auto value = dock->find(object->objectName().toStdString());
-      if (value == dock->end() || *value == valueOf(object) || choosesNothing(object, *value)) continue;
+      if (value == dock->end() || isSetTo(object, *value) || choosesNothing(object, *value)) continue;
       differs = true;
       set(object, *value);
     }

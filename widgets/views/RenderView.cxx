@@ -99,6 +99,18 @@ Outline outlineFrom(RenderView::Side side, const FaceModel& model) {
   return rest;
 }
 
+/// A box with a little room around it.
+void add(const Axes& axes, const std::array<double, 6>& box, Outline& outline) {
+  for (int corner = 0; corner < 8; ++corner) {
+    double point[3];
+    for (int i = 0; i < 3; ++i) {
+      const double room = thinMargin * (box[2 * i + 1] - box[2 * i]);
+      point[i] = corner >> i & 1 ? box[2 * i + 1] + room : box[2 * i] - room;
+    }
+    add(axes, point, outline);
+  }
+}
+
 vtkSmartPointer<vtkLight> cameraLight(double x, double y, double z, double intensity, double warmth) {
   auto light = vtkSmartPointer<vtkLight>::New();
   light->SetLightTypeToCameraLight();
@@ -194,20 +206,31 @@ void RenderView::placeCamera(const std::array<double, 3>& focus, const std::arra
   redraw();
 }
 
-double RenderView::fittingDistance() const {
-  const Outline outline = outlineFrom(side_, *model_);
-  const double aspect = static_cast<double>(std::max(1, width())) / std::max(1, height());
-  const double extent = std::max(outline.size(1), outline.size(0) / aspect);
-  return 0.5 * extent / std::tan(viewAngle * M_PI / 360.0);
+void RenderView::setCompany(const double* bounds) {
+  company_.reset();
+  if (bounds) std::copy_n(bounds, 6, company_.emplace().begin());
 }
 
-void RenderView::placeCamera() {
+double RenderView::distanceTo(double width, double height) const {
+  const double aspect = static_cast<double>(std::max(1, this->width())) / std::max(1, this->height());
+  return 0.5 * std::max(height, width / aspect) / std::tan(viewAngle * M_PI / 360.0);
+}
+
+double RenderView::fittingDistance() const {
   const Outline outline = outlineFrom(side_, *model_);
+  return distanceTo(outline.size(0), outline.size(1));
+}
+
+/// In depth the camera keeps to the face, whatever is shown with it.
+void RenderView::placeCamera() {
+  Outline outline = outlineFrom(side_, *model_);
   const Axes axes(side_);
-  const double distance = fittingDistance();
+  const double depth = outline.middle(2);
+  if (company_) add(axes, *company_, outline);
+  const double distance = distanceTo(outline.size(0), outline.size(1));
   double focus[3], position[3];
   for (int i = 0; i < 3; ++i) {
-    focus[i] = axes.right[i] * outline.middle(0) + axes.up[i] * outline.middle(1) + axes.out[i] * outline.middle(2);
+    focus[i] = axes.right[i] * outline.middle(0) + axes.up[i] * outline.middle(1) + axes.out[i] * depth;
     position[i] = focus[i] + distance * axes.out[i];
   }
   camera()->SetViewAngle(viewAngle);

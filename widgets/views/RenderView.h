@@ -6,6 +6,7 @@
 
 #include <QPointer>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "SessionPart.h"
@@ -34,7 +35,11 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   /// Looks at `focus` (mm) from the end of `direction`, a unit vector, at a distance in mm; the user's own camera from
   /// then on.
   void placeCamera(const std::array<double, 3>& focus, const std::array<double, 3>& direction, double distance);
-  void fit();  ///< the side looked from last, the whole face in the view
+  void fit();  ///< the side looked from last, the whole face in the view, and what is shown with it
+
+  /// What else the camera takes in the next time it is placed; nullptr: the face alone.
+  /// @param bounds  x, y, z from and to, in mm
+  void setCompany(const double* bounds);
 
   /// Turns and zooms together with the other view, and with all that it is linked with, to the size of each.
   void link(RenderView* other);
@@ -66,6 +71,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   void placeCamera();
   void followReach();
   double fittingDistance() const;  ///< from which the whole face fills this view
+  double distanceTo(double width, double height) const;
   void takeCamera(const RenderView* other);
   void forget(const RenderView* other);
   void passCamera(const RenderView* except = nullptr);
@@ -74,6 +80,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
   std::vector<QPointer<RenderView>> partners_;  ///< a tree: no view is reached in two ways
+  std::optional<std::array<double, 6>> company_;
   Side side_ = Side::Front;
   bool moved_ = false, outdated_ = true;
 };

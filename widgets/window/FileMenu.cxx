@@ -4,6 +4,7 @@
 
 #include "FaceModel.h"
 #include "RecentMenu.h"
+#include "ScanPanel.h"
 #include "SessionDocument.h"
 #include "SessionFile.h"
 #include "StudioWindow.h"
@@ -17,11 +18,17 @@ FileMenu::FileMenu(StudioWindow* window, SessionDocument* document, RecentFiles*
   addMenu(new RecentMenu(window, recent));
   addSeparator();
   addAnimation();
+  addClosing();
+  addSeparator();
+  addTables();
   addSeparator();
   addAction(tr("&Quit"), window_, &QWidget::close)->setShortcut(QKeySequence::Quit);
 }
 
 void FileMenu::addSession() {
+  QAction* fresh = addAction(tr("&New session"), document_, &SessionDocument::startNew);
+  fresh->setObjectName("actionNewSession");
+  fresh->setShortcut(QKeySequence::New);
   QAction* open = addAction(tr("Open s&ession..."), this, &FileMenu::chooseSession);
   open->setObjectName("actionOpenSession");
   open->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_O);
@@ -39,7 +46,27 @@ void FileMenu::addAnimation() {
   QAction* close = addAction(tr("&Close animation"), &window_->model(), &FaceModel::closeAnimation);
   close->setShortcut(QKeySequence::Close);
   close->setEnabled(false);
-  addSeparator();
+  FaceModel* model = &window_->model();
+  connect(model, &FaceModel::stateChanged, this,
+          [model, close] { close->setEnabled(!model->state().fapFile.empty()); });
+}
+
+/// The face and the scan that were opened go as they came.
+void FileMenu::addClosing() {
+  auto* panel = window_->findChild<ScanPanel*>();
+  QAction* scan = addAction(tr("C&lose scan"), panel, &ScanPanel::close);
+  scan->setObjectName("actionCloseScan");
+  scan->setEnabled(false);
+  connect(panel, &ScanPanel::scanChanged, scan, [panel, scan] { scan->setEnabled(panel->isOpen()); });
+  FaceModel* model = &window_->model();
+  QAction* generic = addAction(tr("Back to the &generic face"), model, [model] { model->openCurves(QString()); });
+  generic->setObjectName("actionGenericFace");
+  generic->setEnabled(false);
+  connect(model, &FaceModel::stateChanged, this,
+          [model, generic] { generic->setEnabled(!model->state().curvesFile.empty()); });
+}
+
+void FileMenu::addTables() {
   addAction(tr("Open animation &table..."), window_, &StudioWindow::chooseAnimationTable)
       ->setObjectName("actionOpenTable");
   QAction* builtIn =
@@ -47,10 +74,8 @@ void FileMenu::addAnimation() {
   builtIn->setObjectName("actionBuiltInTable");
   builtIn->setEnabled(false);
   FaceModel* model = &window_->model();
-  connect(model, &FaceModel::stateChanged, this, [model, builtIn, close] {
-    builtIn->setEnabled(!model->state().animationTable.empty());
-    close->setEnabled(!model->state().fapFile.empty());
-  });
+  connect(model, &FaceModel::stateChanged, this,
+          [model, builtIn] { builtIn->setEnabled(!model->state().animationTable.empty()); });
 }
 
 void FileMenu::chooseSession() {

@@ -18,6 +18,8 @@ class FileMenu : public QMenu {
  private:
   void addSession();
   void addAnimation();
+  void addClosing();
+  void addTables();
   void chooseSession();
 
   StudioWindow* window_;

@@ -30,7 +30,17 @@ const FileOpener::Action FileOpener::actions[] = {
     {FileKind::PhotographMesh, &FileOpener::openPhotographMesh, "textureDock", "*.csv"},
 };
 
-FileOpener::FileOpener(FaceModel* model, QMainWindow* window) : QObject(window), model_(model), window_(window) {}
+FileOpener::FileOpener(FaceModel* model, QMainWindow* window) : QObject(window), model_(model), window_(window) {
+  const auto* scan = window->findChild<ScanPanel*>();
+  connect(scan, &ScanPanel::scanChanged, this, [this, scan] {
+    if (scan->hasScan()) show("curvesDock");
+  });
+  const auto* texture = window->findChild<TexturePanel*>();
+  connect(texture, &TexturePanel::opened, this, [this, texture] {
+    if (texture->fileName() == photograph_) show("textureDock");
+  });
+  connect(model, &FaceModel::failed, this, [this] { awaited_.clear(); });
+}
 
 bool FileOpener::opens(FileKind kind) {
   return std::any_of(std::begin(actions), std::end(actions), [kind](const Action& a) { return a.kind == kind; });
@@ -40,7 +50,7 @@ bool FileOpener::open(FileKind kind, const QString& fileName) {
   const auto action =
       std::find_if(std::begin(actions), std::end(actions), [kind](const Action& a) { return a.kind == kind; });
   if (action == std::end(actions)) return false;
-  if (action->dock) show(action->dock);
+  awaited_ = action->dock;
   return (this->*action->open)(fileName);
 }
 
@@ -53,7 +63,9 @@ QString FileOpener::endings() {
 }
 
 /// As by the View menu, so that the dock gets the height it has there.
-void FileOpener::show(const char* dock) {
+void FileOpener::show(const QString& dock) {
+  if (awaited_ != dock) return;
+  awaited_.clear();
   auto* shown = window_->findChild<QDockWidget*>(dock);
   if (shown->isHidden()) shown->toggleViewAction()->trigger();
   shown->raise();
@@ -67,13 +79,28 @@ bool FileOpener::openCurves(const QString& fileName) {
 
 /// What is wrong with it is known once it is measured.
 bool FileOpener::openScan(const QString& fileName) {
-  window_->findChild<ScanPanel*>()->open(fileName);
+  auto* panel = window_->findChild<ScanPanel*>();
+  panel->open(fileName);
+  if (!panel->isVisible())
+    emit model_->remarked(
+        tr("%1 is being measured; the dock Curves opens when that is done. File > Close scan ends it.")
+            .arg(QFileInfo(fileName).fileName()),
+        QString());
   return true;
+}
+
+bool FileOpener::succeeds(const std::function<void()>& act) {
+  bool good = true;
+  const auto listening = connect(model_, &FaceModel::failed, this, [&good] { good = false; });
+  act();
+  disconnect(listening);
+  return good;
 }
 
 bool FileOpener::openScanLandmarks(const QString& fileName) {
   auto* panel = window_->findChild<ScanPanel*>();
   const bool waits = !panel->isMeasuring() && !panel->hasScan();
+  if (waits) awaited_.clear();
   panel->openLandmarks(fileName);
   if (waits)
     emit model_->remarked(
@@ -87,7 +114,10 @@ bool FileOpener::openMesh(const QString& fileName) {
 }
 
 bool FileOpener::openPhotograph(const QString& fileName) {
-  window_->findChild<TexturePanel*>()->open(fileName);
+  auto* panel = window_->findChild<TexturePanel*>();
+  photograph_ = fileName;
+  panel->open(fileName);
+  if (panel->fileName() == fileName) show("textureDock");  // it is open already
   return true;
 }
 
@@ -98,7 +128,8 @@ bool FileOpener::openPhotographMesh(const QString& fileName) {
                         fileName);
     return false;
   }
-  window_->findChild<TexturePanel*>()->open(fileName);
+  if (!succeeds([&] { window_->findChild<TexturePanel*>()->open(fileName); })) return false;
+  show("textureDock");
   return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 
 #include "FileKind.h"
 
@@ -12,7 +13,7 @@ namespace mien {
 class FaceModel;
 
 /// What becomes of a file that a dock or a view shows: boundary curves, scans, meshes, photographs, their meshes and
-/// landmarks. The dock comes to the front.
+/// landmarks. The dock comes to the front once what it shows is there; a file that is refused opens none.
 class FileOpener : public QObject {
   Q_OBJECT
  public:
@@ -36,10 +37,12 @@ class FileOpener : public QObject {
   bool openMesh(const QString& fileName);
   bool openPhotograph(const QString& fileName);
   bool openPhotographMesh(const QString& fileName);
-  void show(const char* dock);
+  bool succeeds(const std::function<void()>& act);
+  void show(const QString& dock);
 
   FaceModel* model_;
   QMainWindow* window_;
+  QString awaited_, photograph_;  ///< the dock of what is being read, and the photograph
 };
 
 }  // namespace mien

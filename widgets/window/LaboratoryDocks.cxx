@@ -1,6 +1,7 @@
 #include "LaboratoryDocks.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QToolButton>
@@ -12,6 +13,7 @@
 #include "DeformationPanel.h"
 #include "FAPPlotPanel.h"
 #include "FaceView.h"
+#include "ScanPanel.h"
 #include "SessionPart.h"
 #include "SmoothingPanel.h"
 #include "SpectrumPanel.h"
@@ -96,6 +98,19 @@ void LaboratoryDocks::addPlotButton(TimelinePanel* timeline) {
   });
   connect(plot_->toggleViewAction(), &QAction::toggled, button, &QToolButton::setChecked);
   timeline->addButton(button);
+}
+
+/// Whatever workspace is open, a scan over the face can be seen to be one, and taken away.
+void LaboratoryDocks::addScanSwitch(ViewFrame* frame) {
+  QToolButton* shown =
+      frame->addToggle("faceScan", tr("Scan"), tr("The scan over the face; File > Close scan ends it"), true);
+  shown->setProperty(notInSession, true);  // the dock's own tick is
+  shown->hide();
+  auto* panel = window_->findChild<ScanPanel*>();
+  auto* tick = panel->findChild<QCheckBox*>("scanVisible");
+  connect(panel, &ScanPanel::scanChanged, shown, [panel, shown] { shown->setVisible(panel->hasScan()); });
+  connect(shown, &QToolButton::toggled, tick, &QCheckBox::setChecked);
+  connect(tick, &QCheckBox::toggled, shown, &QToolButton::setChecked);
 }
 
 void LaboratoryDocks::addSkinButton(ViewFrame* frame) {

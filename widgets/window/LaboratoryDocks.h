@@ -23,6 +23,9 @@ class LaboratoryDocks : public QObject {
   /// A button in the head of the face that brings the plain skin back.
   void addSkinButton(ViewFrame* frame);
 
+  /// A switch in the head of the face for a scan over it, while one is open.
+  void addScanSwitch(ViewFrame* frame);
+
   /// A button in the timeline that opens and closes the plot of the FAPs.
   void addPlotButton(TimelinePanel* timeline);
 

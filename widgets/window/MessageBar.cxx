@@ -18,7 +18,6 @@ namespace mien {
 namespace {
 
 constexpr int detailsHeight = 90;  // pixels
-constexpr int noteTime = 12000;    // ms, enough to read a sentence twice
 
 }  // namespace
 
@@ -71,6 +70,7 @@ void MessageBar::buildButtons(QLayout* row) {
     row->addWidget(button);
   }
   connect(more_, &QToolButton::toggled, details_, &QWidget::setVisible);
+  connect(more_, &QToolButton::toggled, this, &MessageBar::leaveLater);
   connect(log, &QToolButton::clicked, this, &MessageBar::showLog);
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
 }
@@ -85,7 +85,18 @@ void MessageBar::showError(const QString& sentence, const QString& details) {
 
 void MessageBar::showNote(const QString& sentence, const QString& details) {
   show("note", sentence, details);
-  if (details.isEmpty()) leaving_->start();
+  leaveLater();
+}
+
+bool MessageBar::event(QEvent* event) {
+  if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) leaveLater();
+  return QFrame::event(event);
+}
+
+/// What is being read stays.
+void MessageBar::leaveLater() {
+  const bool isRead = underMouse() || more_->isChecked();
+  property("severity") == "note" && !isRead ? leaving_->start() : leaving_->stop();
 }
 
 void MessageBar::clearError() {

@@ -16,9 +16,9 @@ namespace mien {
 
 class MessageLog;
 
-/// What went wrong, or is worth knowing: one sentence at the foot of the window, with details on request.
-/// It never interrupts; the next message takes the place of the last. A note without details leaves after some seconds,
-/// an error when what failed has succeeded. What was said before stands in a log.
+/// What went wrong, or is worth knowing: one sentence over the foot of the views, with details on request.
+/// It never interrupts; the next message takes the place of the last. A note leaves by itself unless the mouse is over
+/// it or its details are read; an error stays until something succeeds or it is closed. All of them stand in a log.
 class MessageBar : public QFrame {
   Q_OBJECT
  public:
@@ -26,7 +26,8 @@ class MessageBar : public QFrame {
 
   QString sentence() const;
 
-  static constexpr int mostKept = 500;  ///< messages, of which the oldest are forgotten
+  static constexpr int mostKept = 500;   ///< messages, of which the oldest are forgotten
+  static constexpr int noteTime = 6000;  ///< ms that a note stays, enough to read a sentence twice
   const std::vector<Message>& log() const { return log_; }
 
  public slots:
@@ -35,7 +36,11 @@ class MessageBar : public QFrame {
   void clearError();  ///< hides an error; a note stays
   void showLog();
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
+  void leaveLater();
   void buildButtons(QLayout* row);
   void show(const char* severity, const QString& sentence, const QString& details);
 

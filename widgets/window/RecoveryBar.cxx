@@ -12,12 +12,10 @@
 namespace mien {
 
 RecoveryBar::RecoveryBar(Autosave* autosave, SessionDocument* document, QWidget* parent)
-    : QFrame(parent), autosave_(autosave), document_(document) {
+    : QFrame(parent), autosave_(autosave), document_(document), sentence_(new QLabel(this)) {
   setObjectName("recoveryBar");
-  auto* sentence = new QLabel(
-      tr("Mien Studio ended unexpectedly. What it showed last, %1, was kept.").arg(autosave->orphanText()), this);
-  sentence->setObjectName("recoverySentence");
-  sentence->setWordWrap(true);
+  sentence_->setObjectName("recoverySentence");
+  sentence_->setWordWrap(true);
   auto *restored = new QToolButton(this), *discarded = new QToolButton(this);
   makeFramed(restored, "recoveryRestore", tr("Re&store"), tr("Shows it; undo takes it back no more"));
   makeFramed(discarded, "recoveryDiscard", tr("&Discard"), tr("Forgets it for good"));
@@ -25,23 +23,33 @@ RecoveryBar::RecoveryBar(Autosave* autosave, SessionDocument* document, QWidget*
   connect(discarded, &QToolButton::clicked, this, &RecoveryBar::discard);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 4, 6, 4);
-  row->addWidget(sentence, 1);
+  row->addWidget(sentence_, 1);
   row->addWidget(restored);
   row->addWidget(discarded);
-  setVisible(autosave->hasOrphan());
+  offer();
 }
 
-/// It is kept where it cannot be read: a later version may.
+void RecoveryBar::offer() {
+  if (autosave_->hasOrphan()) sentence_->setText(autosave_->orphanText());
+  setVisible(autosave_->hasOrphan());
+}
+
+/// What else was kept is offered at the next start: shown now, it would take the place of this. One that cannot be
+/// shown is put aside, as a later version may.
 void RecoveryBar::restore() {
   nlohmann::json session;
   const QString fault = autosave_->readOrphan(session);
-  const bool shown = document_->recover(session, fault);
-  shown ? discard() : hide();
+  if (!document_->recover(session, fault)) {
+    autosave_->putAside();
+    return offer();
+  }
+  autosave_->discardOrphan();
+  hide();
 }
 
 void RecoveryBar::discard() {
-  autosave_->discardOrphans();
-  hide();
+  autosave_->discardOrphan();
+  offer();
 }
 
 }  // namespace mien

@@ -2,12 +2,15 @@
 
 #include <QFrame>
 
+class QLabel;
+
 namespace mien {
 
 class Autosave;
 class SessionDocument;
 
-/// Offers what a process that ended without leave had not saved, below the face until it is answered.
+/// Offers what a process that ended without leave had not saved, over the foot of the views until it is answered; one
+/// after the other where there were several.
 class RecoveryBar : public QFrame {
   Q_OBJECT
  public:
@@ -17,8 +20,11 @@ class RecoveryBar : public QFrame {
   void restore();
   void discard();
 
+  void offer();
+
   Autosave* autosave_;
   SessionDocument* document_;
+  QLabel* sentence_;
 };
 
 }  // namespace mien

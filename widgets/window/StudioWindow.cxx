@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "AnimationPlayer.h"
+#include "Autosave.h"
 #include "BundledFile.h"
 #include "CurveView.h"
 #include "EditMenu.h"
@@ -22,6 +23,7 @@
 #include "FaceModel.h"
 #include "FileMenu.h"
 #include "FileOpener.h"
+#include "FloatingBars.h"
 #include "HelpMenu.h"
 #include "History.h"
 #include "LaboratoryDocks.h"
@@ -96,7 +98,9 @@ StudioWindow::StudioWindow()
   resize(QSize(startWidth, startHeight).boundedTo(screen()->availableSize()));
   WindowLayout::restore(*this);
   workspaces_->restore();
-  keeper_->history()->clear();
+  keeper_->begin();
+  if (keeper_->autosave() && !keeper_->autosave()->fault().isEmpty())
+    messages_->showError(keeper_->autosave()->fault(), QString());
 }
 
 StudioWindow::~StudioWindow() = default;
@@ -113,6 +117,7 @@ QWidget* StudioWindow::centre() {
   auto* timeline = new TimelinePanel(model_, player_);
   laboratory_->addPlotButton(timeline);
   laboratory_->addSkinButton(views_->faceFrame());
+  laboratory_->addScanSwitch(views_->faceFrame());
   connect(timeline, &TimelinePanel::openRequested, this, &StudioWindow::chooseAnimation);
   auto* box = new QWidget(this);
   auto* column = new QVBoxLayout(box);
@@ -120,8 +125,9 @@ QWidget* StudioWindow::centre() {
   column->setSpacing(6);
   column->addWidget(views_, 1);
   column->addWidget(timeline);
-  if (keeper_->autosave()) column->addWidget(new RecoveryBar(keeper_->autosave(), keeper_->document()));
-  column->addWidget(messages_);
+  QList<QWidget*> bars = {messages_};
+  if (keeper_->autosave()) bars << new RecoveryBar(keeper_->autosave(), keeper_->document());
+  new FloatingBars(views_, face_, bars, box);
   return box;
 }
 
@@ -160,8 +166,10 @@ void StudioWindow::addFaceMenu() {
 }
 
 bool StudioWindow::openFile(const QString& fileName) {
+  const size_t said = messages_->log().size();
   const bool good = openAs(fileKind(fileName), fileName);
   if (good) keeper_->recent()->add(fileName);
+  if (good && messages_->log().size() == said) messages_->clearError();  // of what was tried before
   return good;
 }
 

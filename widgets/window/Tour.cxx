@@ -37,6 +37,8 @@ Tour* Tour::begin(QMainWindow& window) {
 }
 
 void Tour::showAtFirstStart(QMainWindow& window) {
+  const auto* offer = window.findChild<QWidget*>("recoveryBar");
+  if (offer && !offer->isHidden()) return;  // which comes first, and the tour at the next start
   if (Remembered::value(seenKey, false).toBool()) return;
   Remembered::set(seenKey, true);
   if (Remembered::value(seenKey, false).toBool())

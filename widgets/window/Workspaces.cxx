@@ -62,7 +62,7 @@ const std::array<Workspaces::Workspace, Workspaces::count>& Workspaces::all() {
 
 Workspaces::Workspaces(QMainWindow* window)
     : QObject(window), window_(window), bar_(new QTabBar(window)), first_(window->saveState(version)) {
-  setObjectName("workspaceKeeper");
+  setObjectName(arrangementPart);
   buildBar();
 }
 

@@ -1,8 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,11 +12,8 @@
 #include "Interruption.h"
 #include "OutputFile.h"
 #include "ProgressLine.h"
-#include "StudyFiles.h"
-#include "StudyRun.h"
-#include "StudyTable.h"
-#include "StudyText.h"
-#include "TextFileReader.h"
+#include "StudyFailure.h"
+#include "StudyTableRun.h"
 
 namespace mien {
 
@@ -38,18 +33,6 @@ struct Options {
   bool isShared() const { return ranks > 0; }
 };
 
-Study readStudyFile(const std::string& name) {
-  std::string text;
-  std::string fault = readTextFile(name, largestStudyText, text, "study");
-  if (!fault.empty()) throw FileFailure(name + ":" + fault);
-  Study study;
-  int line = 0;
-  fault = readStudy(text, study, line);
-  if (!fault.empty()) throw FileFailure(name + ":" + (line > 0 ? std::to_string(line) + ": " : " ") + fault);
-  study.folder = std::filesystem::path(name).parent_path().string();
-  return study;
-}
-
 int threadsOf(const Options& options) {
   if (options.threads > 0) return options.threads;
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -65,65 +48,28 @@ void check(const Options& options) {
                        std::to_string(options.ranks - 1) + ", the ranks of --ranks " + std::to_string(options.ranks));
 }
 
-/// A study that is ready to run, and its table.
-struct Opened {
-  StudyRun run;
-  std::unique_ptr<StudyTable> table;
-
-  explicit Opened(const std::string& name) : run(readStudyFile(name)) {
-    const std::string fault = run.open([] { return !wasInterrupted(); });
-    if (wasInterrupted()) throw Stopped("stopped before the faces of the study were read; nothing was written");
-    if (!fault.empty() && run.faultIsOfValue()) throw FileFailure(name + ": " + fault);
-    if (!fault.empty()) throw FileFailure(fault);
-    table = std::make_unique<StudyTable>(run.study(), run.cases(), run.contents());
-  }
-};
-
-std::int64_t blocksOf(const Opened& opened, const Options& options) {
-  const std::int64_t ranks = std::max(1, options.ranks);
-  return (opened.run.cases().blockCount() - options.rank + ranks - 1) / ranks;
-}
-
-/// How many cases of this command's share are still to do.
-std::int64_t casesLeft(const Opened& opened, const Options& options, const StudyRows& done) {
-  std::int64_t left = 0;
-  for (std::int64_t i = 0; i < blocksOf(opened, options); ++i) {
-    const StudyBlock block = opened.run.cases().block(options.rank + i * std::max(1, options.ranks));
-    for (std::int64_t number = block.first; number < block.last; ++number) left += !done.has(number);
-  }
-  return left;
+StudyRun::Share shareOf(const Options& options) {
+  return {options.rank, std::max(1, options.ranks), threadsOf(options)};
 }
 
 /// Computes what is missing and appends it. @return how many cases
-std::int64_t compute(Opened& opened, const Options& options, StudyRows& done) {
-  PartFile part(options.isShared() ? rankPartName(options.output, options.rank) : partName(options.output),
-                *opened.table);
-  done.readAll(options.output);  // again: what came before the part was ours alone
-  const std::int64_t left = casesLeft(opened, options, done);
-  std::atomic<std::int64_t> computed{0};
+std::int64_t compute(StudyTableRun& opened, const Options& options) {
   ProgressLine line;
-  StudyRun::Calls calls;
-  calls.isDone = [&](std::int64_t number) { return done.has(number); };
-  calls.append = [&](const StudyCase& one, const CaseValues& measured) {
-    part.append(opened.table->row(one, measured));
-    ++computed;
-  };
-  calls.goOn = [&] {
-    line.showShare(left > 0 ? static_cast<double>(computed) / static_cast<double>(left) : 1.0);
+  const StudyTableRun::Outcome outcome = opened.compute(options.output, shareOf(options), [&line](double share) {
+    line.showShare(share);
     return !wasInterrupted();
-  };
-  const bool complete =
-      left == 0 || opened.run.run({options.rank, std::max(1, options.ranks), threadsOf(options)}, calls);
-  if (!complete && computed < left)
-    throw Stopped("stopped after " + std::to_string(computed) + " of " + std::to_string(left) + " cases; " +
-                  part.name() + " keeps them, and the same command goes on from there");
-  return computed;
+  });
+  if (!outcome.isComplete())
+    throw Stopped("stopped after " + std::to_string(outcome.computed) + " of " + std::to_string(outcome.left) +
+                  " cases; " + StudyTableRun::partOf(options.output, shareOf(options)) +
+                  " keeps them, and the same command goes on from there");
+  return outcome.computed;
 }
 
 /// A few cases by chance, in one thread. @return seconds for one
-double secondsPerCase(Opened& opened) {
+double secondsPerCase(StudyTableRun& opened) {
   std::mt19937_64 random(1);
-  const std::int64_t blocks = opened.run.cases().blockCount();
+  const std::int64_t blocks = opened.run().cases().blockCount();
   std::int64_t computed = 0;
   const Clock::time_point begin = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
@@ -133,7 +79,7 @@ double secondsPerCase(Opened& opened) {
   calls.goOn = [&] { return !wasInterrupted(); };
   while (seconds() < trialSeconds && !wasInterrupted()) {
     const auto block = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(blocks));
-    opened.run.run({block, blocks, 1}, calls);
+    opened.run().run({block, blocks, 1}, calls);
   }
   if (wasInterrupted()) throw Stopped("stopped before the duration was estimated");
   return seconds() / static_cast<double>(computed);
@@ -143,8 +89,8 @@ void tell(const Options& options, const json& facts, const std::string& sentence
   std::cout << (options.json ? facts.dump(2) : sentence) << "\n";
 }
 
-void tryOut(Opened& opened, const Options& options, const StudyRows& done) {
-  const std::int64_t count = opened.run.cases().count(), left = casesLeft(opened, options, done);
+void tryOut(StudyTableRun& opened, const Options& options) {
+  const std::int64_t count = opened.caseCount(), left = opened.leftOf(shareOf(options));
   const double each = secondsPerCase(opened);
   const double whole = each * static_cast<double>(left) / threadsOf(options);
   tell(options,
@@ -157,35 +103,36 @@ void tryOut(Opened& opened, const Options& options, const StudyRows& done) {
            ProgressLine::readableTime(whole) + " in " + std::to_string(threadsOf(options)) + " threads");
 }
 
+void tellOfShare(const StudyTableRun& opened, const Options& options, std::int64_t computed) {
+  const std::string part = StudyTableRun::partOf(options.output, shareOf(options));
+  tell(options, {{"part", part}, {"computed", computed}, {"study_complete", opened.isComplete()}},
+       part + ": " + std::to_string(computed) + " cases computed now; " +
+           (opened.isComplete() ? "all ranks are done: --join makes the table" : "other ranks are not done yet"));
+}
+
 /// The finished table, from all that ranks and earlier runs have done.
-void finish(const Opened& opened, const Options& options, const StudyRows& done, std::int64_t computed) {
-  const std::int64_t count = opened.run.cases().count();
-  done.writeTable(options.output, opened.table->head());
+void finish(const StudyTableRun& opened, const Options& options, std::int64_t computed) {
+  const std::int64_t count = opened.caseCount();
+  if (!opened.isComplete())
+    throw FileFailure(options.output + ": " + std::to_string(opened.missing()) + " of " + std::to_string(count) +
+                      " cases are in no part beside it; run their ranks, or the command without --join");
+  opened.writeTable(options.output);
   tell(options, {{"table", options.output}, {"cases", count}, {"computed", computed}},
        options.output + ": " + std::to_string(count) + " cases, " + std::to_string(computed) + " computed now");
 }
 
-void run(const Options& options) {
+void run(const Options& options) try {
   check(options);
   noteInterruptions();
-  Opened opened(options.study);
-  StudyRows done(*opened.table, opened.run.cases().count());
-  if (!options.output.empty()) done.readAll(options.output);
-  if (options.dryRun) return tryOut(opened, options, done);
-  const std::int64_t computed = options.join || done.isComplete() ? 0 : compute(opened, options, done);
-  done.readAll(options.output);
-  if (options.isShared()) {
-    const std::string part = rankPartName(options.output, options.rank);
-    return tell(
-        options, {{"part", part}, {"computed", computed}, {"study_complete", done.isComplete()}},
-        part + ": " + std::to_string(computed) + " cases computed now; " +
-            (done.isComplete() ? "all ranks are done: --join makes the table" : "other ranks are not done yet"));
-  }
-  if (!done.isComplete())
-    throw FileFailure(options.output + ": " + std::to_string(done.missing()) + " of " +
-                      std::to_string(opened.run.cases().count()) +
-                      " cases are in no part beside it; run their ranks, or the command without --join");
-  finish(opened, options, done, computed);
+  StudyTableRun opened(options.study, [] { return !wasInterrupted(); });
+  if (wasInterrupted()) throw Stopped("stopped before the faces of the study were read; nothing was written");
+  opened.readDone(options.output);
+  if (options.dryRun) return tryOut(opened, options);
+  const std::int64_t computed = options.join || opened.isComplete() ? 0 : compute(opened, options);
+  if (options.isShared()) return tellOfShare(opened, options, computed);
+  finish(opened, options, computed);
+} catch (const StudyFailure& failure) {
+  throw FileFailure(failure.what());
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "Failure.h"
+#include "WholeFile.h"
 
 namespace mien {
 
@@ -57,10 +58,7 @@ OutputFile::OutputFile(const std::string& name) : name_(name) {
   requireWritableFolder(name);
   std::error_code error;
   if (fs::is_directory(name, error)) throw FileFailure(name + ": this is a folder; give the name of a file");
-  const fs::path path(name);
-  const std::string hidden =
-      "." + path.stem().string() + ".mien-" + std::to_string(getpid()) + path.extension().string();
-  temporaryName_ = (path.parent_path() / hidden).string();
+  temporaryName_ = WholeFile::temporaryNameOf(name);
 }
 
 OutputFile::~OutputFile() {

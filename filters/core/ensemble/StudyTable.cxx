@@ -1,5 +1,6 @@
 #include "StudyTable.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "Checksum.h"
@@ -45,6 +46,25 @@ std::string headOf(const Study& study, std::int64_t cases, std::string_view cont
   return head + ",reason\n";
 }
 
+/// Takes the cell that begins a line, and the comma behind it, off the line; the inverse of quoted().
+std::string takeCell(std::string_view& line) {
+  std::string cell;
+  std::size_t i = 0;
+  if (!line.empty() && line.front() == '"') {
+    const auto isQuotationMark = [&](std::size_t place) { return place < line.size() && line[place] == '"'; };
+    for (i = 1; i < line.size() && !(isQuotationMark(i) && !isQuotationMark(i + 1)); ++i) {
+      cell += line[i];
+      if (isQuotationMark(i)) ++i;
+    }
+    ++i;
+  } else {
+    i = std::min(line.find(','), line.size());
+    cell = line.substr(0, i);
+  }
+  line.remove_prefix(std::min(i + 1, line.size()));
+  return cell;
+}
+
 }  // namespace
 
 StudyTable::StudyTable(const Study& study, const StudyCases& cases, std::string_view contents)
@@ -80,6 +100,13 @@ std::optional<std::int64_t> StudyTable::caseOf(std::string_view line) const {
     if (!takeNumber(line)) return std::nullopt;
   if (!isTextCell(line)) return std::nullopt;
   return number;
+}
+
+std::vector<std::string> StudyTable::cellsOf(std::string_view line) const {
+  constexpr std::size_t besidesMeasures = 9;
+  std::vector<std::string> cells(besidesMeasures + study_.measures.size());
+  for (std::string& cell : cells) cell = takeCell(line);
+  return cells;
 }
 
 }  // namespace mien

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "CaseMeasures.h"
 #include "StudyCases.h"
@@ -28,6 +29,9 @@ class StudyTable {
 
   /// The case whose complete row a line (without its end) is, or nothing.
   std::optional<std::int64_t> caseOf(std::string_view line) const;
+
+  /// The cells of a complete row, as many as there are columns, without quotation marks.
+  std::vector<std::string> cellsOf(std::string_view line) const;
 
  private:
   std::string prefixOf(const StudyCase& one) const;

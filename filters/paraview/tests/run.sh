@@ -30,3 +30,34 @@ for ranks in 1 2 4; do
   if grep -E 'ERR|Warning' "$results/$ranks.log"; then failed "$ranks ranks: errors were reported, see above"; fi
 done
 python3 "$scripts/compare_runs.py" "$results"/{1,2,4}.json || failed "ranks differ: see above"
+
+# A study: the table of one, two and four processes, and after kills, is that of one.
+study() {  # study RANKS TABLE
+  MIEN_PLUGIN="$plugin" in_ranks "$1" "$pvbatch" --sym doc/examples/paraview/study.py "$scripts/study.json" "$2" \
+    >"$results/study.log" 2>&1
+}
+for ranks in 1 2 4; do
+  study "$ranks" "$results/table$ranks.csv" || { cat "$results/study.log"; failed "study in $ranks ranks: see above"; }
+  cmp "$results/table1.csv" "$results/table$ranks.csv" || failed "study in $ranks ranks: another table"
+done
+
+rows_kept() { cat "$1".rank*.part 2>/dev/null | grep -c '^[0-9].*,$' || true; }
+
+# Killed at random moments of its work; no row may be lost, and none computed twice.
+table="$results/killed.csv" kept=0 kills=0
+while ((kills < 3)) && [[ ! -e "$table" ]]; do
+  study 2 "$table" & program=$!
+  until (($(rows_kept "$table") > kept)) || ! kill -0 "$program" 2>/dev/null; do sleep 0.1; done
+  sleep "0.$((RANDOM % 10))"
+  if pkill -KILL -f "pvbatch.*$table"; then kills=$((kills + 1)); fi
+  wait "$program" || true
+  [[ ! -e "$table" ]] || break
+  now="$(rows_kept "$table")"
+  ((now >= kept)) || failed "a killed study lost rows: $kept, then $now"
+  kept=$now
+done
+twice="$(cat "$table".rank*.part 2>/dev/null | grep -o '^[0-9]*,' | sort | uniq -d | head -n 1)"
+[[ -z "$twice" ]] || failed "a killed study computed case $twice twice"
+study 2 "$table" || { cat "$results/study.log"; failed "a killed study: see above"; }
+cmp "$results/table1.csv" "$table" || failed "a killed study: another table"
+echo "study: $(grep -c '^[0-9]' "$table") cases, the same table in 1, 2 and 4 ranks and after $kills kills"

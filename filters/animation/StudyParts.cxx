@@ -1,4 +1,4 @@
-#include "StudyFiles.h"
+#include "StudyParts.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -10,9 +10,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "Failure.h"
-#include "OutputFile.h"
+#include "StudyFailure.h"
 #include "StudyTable.h"
+#include "WholeFile.h"
 
 namespace mien {
 
@@ -72,11 +72,11 @@ void StudyRows::readAll(const std::string& output) {
 
 void StudyRows::read(const std::string& name, bool mayBeOther) {
   std::ifstream stream(name, std::ios::binary);
-  if (!stream) throw FileFailure(name + ": it cannot be read (" + std::strerror(errno) + ")");
+  if (!stream) throw StudyFailure(name + ": it cannot be read (" + std::strerror(errno) + ")");
   if (!startsWith(stream, table_.head())) {
     std::error_code error;
     if (mayBeOther || fs::file_size(name, error) < table_.head().size()) return;  // torn within its head: no rows
-    throw FileFailure(name + ": it holds rows of another study, or of other faces; take it away, or give another -o");
+    throw StudyFailure(name + ": it holds rows of another study, or of other faces; take it away, or give another -o");
   }
   files_.push_back(name);
   std::int64_t offset = static_cast<std::int64_t>(table_.head().size());
@@ -88,32 +88,43 @@ void StudyRows::read(const std::string& name, bool mayBeOther) {
   }
 }
 
-void StudyRows::writeTable(const std::string& output, const std::string& head) const {
+std::vector<std::string> StudyRows::lines(const std::vector<std::int64_t>& numbers) const {
   std::vector<std::ifstream> files;
   for (const std::string& name : files_) files.emplace_back(name, std::ios::binary);
-  OutputFile file(output);
+  std::vector<std::string> lines(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) lineAt(places_[numbers[i]], files, lines[i]);
+  return lines;
+}
+
+void StudyRows::lineAt(const Place& place, std::vector<std::ifstream>& files, std::string& line) const {
+  std::ifstream& source = files[place.file];
+  source.seekg(place.offset);
+  if (!getWholeLine(source, line)) throw StudyFailure(files_[place.file] + ": it changed while it was read");
+}
+
+void StudyRows::writeTable(const std::string& output) const {
+  std::vector<std::ifstream> files;
+  for (const std::string& name : files_) files.emplace_back(name, std::ios::binary);
+  WholeFile file(output);
   std::ofstream stream(file.temporaryName(), std::ios::binary);
-  stream << head;
+  stream << table_.head();
   std::string line;
   for (const Place& place : places_) {
-    std::ifstream& source = files[place.file];
-    source.seekg(place.offset);
-    if (!getWholeLine(source, line)) throw FileFailure(files_[place.file] + ": it changed while it was read");
+    lineAt(place, files, line);
     stream << line << "\n";
   }
   stream.close();
-  if (!stream) throw FileFailure(output + ": cannot be written (" + std::strerror(errno) + ")");
-  file.commit();
+  if (!stream || !file.commit()) throw StudyFailure(output + ": cannot be written (" + std::strerror(errno) + ")");
   std::error_code ignored;
   for (const std::string& part : partsOf(output)) fs::remove(part, ignored);
 }
 
 PartFile::PartFile(const std::string& name, const StudyTable& table) : name_(name) {
   file_ = open(name.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file_ < 0) throw FileFailure(name + ": cannot be written (" + std::strerror(errno) + ")");
+  if (file_ < 0) throw StudyFailure(name + ": cannot be written (" + std::strerror(errno) + ")");
   if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close(file_);
-    throw FileFailure(name + ": another mien is computing this study; wait for it, or give another -o");
+    throw StudyFailure(name + ": another mien is computing this study; wait for it, or give another -o");
   }
   cutTornLine(table.head());
 }
@@ -130,15 +141,15 @@ void PartFile::cutTornLine(const std::string& head) {
   while (end > 0 && pread(file_, &last, 1, end - 1) == 1 && last != '\n') --end;
   if (end < static_cast<std::int64_t>(head.size())) end = 0;
   if (end < size && ftruncate(file_, end) != 0)
-    throw FileFailure(name_ + ": cannot be written (" + std::strerror(errno) + ")");
+    throw StudyFailure(name_ + ": cannot be written (" + std::strerror(errno) + ")");
   if (end == 0) append(head);
 }
 
 void PartFile::append(const std::string& line) {
   const ssize_t written = write(file_, line.data(), line.size());
   if (written == static_cast<ssize_t>(line.size())) return;
-  throw FileFailure(name_ + ": a row could not be written (" + (written < 0 ? std::strerror(errno) : "disk full") +
-                    "); make room, and the same command goes on from there");
+  throw StudyFailure(name_ + ": a row could not be written (" + (written < 0 ? std::strerror(errno) : "disk full") +
+                     "); make room, and the same command goes on from there");
 }
 
 }  // namespace mien

@@ -1,19 +1,22 @@
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <string>
 #include <vector>
+
+#include "MienAnimationModule.h"
 
 namespace mien {
 
 class StudyTable;
 
-std::string partName(const std::string& output);                ///< OUTPUT.part
-std::string rankPartName(const std::string& output, int rank);  ///< OUTPUT.rank2.part
+MIENANIMATION_EXPORT std::string partName(const std::string& output);                ///< OUTPUT.part
+MIENANIMATION_EXPORT std::string rankPartName(const std::string& output, int rank);  ///< OUTPUT.rank2.part
 
 /// Which rows of a study's table there are, and where: in the finished table, and in the parts beside it. Memory: 16
 /// bytes for each case.
-class StudyRows {
+class MIENANIMATION_EXPORT StudyRows {
  public:
   StudyRows(const StudyTable& table, std::int64_t cases);
 
@@ -22,11 +25,14 @@ class StudyRows {
   bool isComplete() const { return missing_ == 0; }
 
   /// Reads the table of that name and all parts beside it. A table of another study does not count; a part of another
-  /// study is a FileFailure. Lines that are no complete row, as the end of a file may be after a crash, do not count.
+  /// study is a StudyFailure. Lines that are no complete row, as the end of a file may be after a crash, do not count.
   void readAll(const std::string& output);
 
-  /// Writes the table: all rows by their number; then takes the parts away.
-  void writeTable(const std::string& output, const std::string& head) const;
+  /// The rows of these cases, which must be there, without the ends of their lines.
+  std::vector<std::string> lines(const std::vector<std::int64_t>& numbers) const;
+
+  /// Writes the table, which must be complete: all rows by their number; then takes the parts away.
+  void writeTable(const std::string& output) const;
 
  private:
   struct Place {
@@ -34,6 +40,7 @@ class StudyRows {
     std::int64_t offset = 0;
   };
   void read(const std::string& name, bool mayBeOther);
+  void lineAt(const Place& place, std::vector<std::ifstream>& files, std::string& line) const;
 
   const StudyTable& table_;
   std::vector<Place> places_;
@@ -42,9 +49,9 @@ class StudyRows {
 };
 
 /// Where rows go as they are computed: each is one write at the end, so that a kill tears at most the last.
-class PartFile {
+class MIENANIMATION_EXPORT PartFile {
  public:
-  /// Makes the file, or cuts a torn row off the one that is there. A FileFailure when it cannot be written, or another
+  /// Makes the file, or cuts a torn row off the one that is there. A StudyFailure when it cannot be written, or another
   /// program is writing it.
   PartFile(const std::string& name, const StudyTable& table);
   ~PartFile();
@@ -53,7 +60,7 @@ class PartFile {
 
   const std::string& name() const { return name_; }
 
-  /// A FileFailure when the disk is full.
+  /// A StudyFailure when the disk is full.
   void append(const std::string& line);
 
  private:

@@ -1,0 +1,63 @@
+#include "FloatingBars.h"
+
+#include <QEvent>
+#include <QLayout>
+#include <QWidget>
+#include <algorithm>
+
+namespace mien {
+
+namespace {
+
+constexpr int mostWidth = 820;    // pixels, a line that is still read at a glance
+constexpr int edge = 8, gap = 6;  // pixels to the edge of the area, between bars
+
+int heightOf(const QWidget& bar, int width) {
+  return bar.layout()->hasHeightForWidth() ? bar.layout()->totalHeightForWidth(width) : bar.sizeHint().height();
+}
+
+}  // namespace
+
+FloatingBars::FloatingBars(QWidget* area, QWidget* foot, const QList<QWidget*>& bars, QWidget* parent)
+    : QObject(parent), area_(area), foot_(foot), parent_(parent), bars_(bars) {
+  for (QWidget* bar : bars_) {
+    const bool isHidden = bar->isHidden();
+    bar->setParent(parent);
+    bar->setHidden(isHidden);
+    bar->installEventFilter(this);
+  }
+  for (QWidget* widget : {area, foot}) widget->installEventFilter(this);
+}
+
+bool FloatingBars::eventFilter(QObject* watched, QEvent* event) {
+  const bool isBar = bars_.contains(static_cast<QWidget*>(watched));
+  switch (event->type()) {
+    case QEvent::Show:
+    case QEvent::LayoutRequest:
+      place();
+      break;
+    case QEvent::Hide:
+    case QEvent::Move:
+    case QEvent::Resize:
+      if (!isBar || event->type() == QEvent::Hide) place();
+      break;
+    default:
+      break;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+void FloatingBars::place() {
+  const int left = area_->mapTo(parent_, QPoint()).x();
+  const int width = std::min(mostWidth, area_->width() - 2 * edge);
+  int bottom = foot_->mapTo(parent_, QPoint()).y() + foot_->height() - edge;
+  for (QWidget* bar : bars_) {
+    if (bar->isHidden()) continue;
+    const int height = heightOf(*bar, width);
+    bar->setGeometry(left + (area_->width() - width) / 2, std::max(0, bottom - height), width, height);
+    bar->raise();
+    bottom -= height + gap;
+  }
+}
+
+}  // namespace mien
