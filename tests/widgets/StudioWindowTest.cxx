@@ -9,6 +9,7 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFile>
@@ -22,6 +23,7 @@
 #include <QUrl>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "ColorScale.h"
 #include "Comparison.h"
@@ -217,6 +219,44 @@ TEST_F(StudioWindow, TheColourScaleTellsWhatLiesBeyondIt) {
   EXPECT_EQ(range->text(), "auto 2 mm") << "a face at rest begins anew";
   EXPECT_GE(scale->mapTo(window.get(), QPoint()).y(), view->mapTo(window.get(), view->rect().bottomLeft()).y())
       << "below the face, not on it";
+}
+
+/// What is beside a number stays where it is when the number grows.
+TEST_F(StudioWindow, NumbersThatGrowMoveNothing) {
+  for (const char* dock : {"spectrumDock", "smoothingDock", "continuityDock", "deformationDock", "vectorsDock"})
+    find<QAction>(QString(dock) + "Action")->trigger();
+  const auto places = [this] {
+    settle();
+    std::map<QString, QRect> all;
+    for (const QWidget* widget : window->findChildren<QWidget*>())
+      if (!widget->objectName().isEmpty() && !widget->objectName().startsWith("qt_") && widget->isVisible())
+        all[widget->objectName()] = QRect(widget->mapTo(window.get(), QPoint()), widget->size());
+    return all;
+  };
+  const auto change = [this](double fap, double a) {
+    window->model().change([&](mien::FaceState& state) {
+      for (int number : {31, 32, 33, 34, 35, 36}) state.fapValues[number] = fap;
+      state.surface.smoothing.fill(a);
+      state.expressions["joy"] = fap > 0.0 ? 1.0 : 0.0;
+    });
+    for (int i = 0; i < 4; ++i) {
+      settle();
+      QTest::qWait(200);
+    }
+  };
+  for (const char* dock : {"spectrumDock", "deformationDock", "vectorsDock"}) {
+    find<QDockWidget>(dock)->raise();
+    change(0.0, 1.0);
+    const auto before = places();
+    change(500.0, 2.125);
+    const auto after = places();
+    for (const auto& [name, place] : before) {
+      const auto same = after.find(name);
+      if (same == after.end() || name.endsWith("Numbers") || name.endsWith("Expression")) continue;  // texts
+      EXPECT_EQ(same->second.left(), place.left()) << dock << " " << name.toStdString();
+      EXPECT_EQ(same->second.width(), place.width()) << dock << " " << name.toStdString();
+    }
+  }
 }
 
 TEST_F(StudioWindow, TurnsOfTheHeadAreNoMovementOfTheCurvesUnlessAskedFor) {

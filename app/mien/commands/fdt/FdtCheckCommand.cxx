@@ -73,8 +73,8 @@ void addFdtCheckCommand(CLI::App& parent) {
   options->reading.addTo(*command, true);
   command->footer(
       "Example: mien fdt check anna_joy.csv --against joy\n"
-      "Differences from the mean of less than 0.005 of the largest coefficient of a region do not count.\n"
-      "sds is how many standard deviations the value lies beside the mean. The exit code is 0 whatever is found.");
+      "sds is how many standard deviations the value lies beside the mean; differences of less than 0.005 of the "
+      "largest coefficient of a region do not count. The exit code is 0 whatever is found.");
   command->callback([options] { run(*options); });
 }
 
