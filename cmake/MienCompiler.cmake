@@ -41,12 +41,4 @@ function(mien_warnings target)
     $<$<BOOL:${MIEN_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
-# Two thirds of compiling is reading the same large headers (doc/decisions.md): each target reads its own once. Trees that
-# share one ccache compile faster without, as precompiled headers differ from tree to tree. Off until a whole clean build
-# with it has been seen.
-option(MIEN_PRECOMPILE "Precompile the large headers of libraries" OFF)
-function(mien_precompile target)
-  if(MIEN_PRECOMPILE)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
-  endif()
-endfunction()
+include(MienUnity)

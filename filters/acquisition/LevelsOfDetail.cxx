@@ -26,7 +26,7 @@ namespace {
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr int faceRows = 112, faceColumns = 80;  // of the faces that are measured: cells of about 2 mm
 constexpr double skinDepth = 1.0;                // mm; deeper points of a scan are hidden behind its skin
-constexpr int fewestTriangles = 8;
+constexpr int fewestLevelTriangles = 8;
 
 struct Way {
   double rms = 0.0, maximum = 0.0;
@@ -209,7 +209,7 @@ class Comparison {
     const TriangleMesh part = coveredPart(scan_, band_);
     std::vector<int> plain;
     for (const double bytes : sizes())
-      plain.push_back(std::max(fewestTriangles, static_cast<int>(bytes / bytesPerTriangle)));
+      plain.push_back(std::max(fewestLevelTriangles, static_cast<int>(bytes / bytesPerTriangle)));
     std::vector<Packed> packed;
     beginPart(facePart, 0.5 * (1.0 + facePart), plain.size());
     const auto take = [&](const TriangleMesh& mesh) {
@@ -242,7 +242,7 @@ class Comparison {
   bool addPackedMeshes(const TriangleMesh& part, const std::vector<Packed>& known) {
     std::vector<int> counts;
     for (const double bytes : sizes())
-      counts.push_back(std::max(fewestTriangles, static_cast<int>(trianglesFor(bytes, known))));
+      counts.push_back(std::max(fewestLevelTriangles, static_cast<int>(trianglesFor(bytes, known))));
     beginPart(0.5 * (1.0 + facePart), 1.0, counts.size());
     const auto take = [&](const TriangleMesh& mesh) {
       const double triangles = static_cast<double>(mesh.triangles.rows());

@@ -1,10 +1,10 @@
 #include "MeshReading.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "PipelineErrors.h"
+#include "ScanFile.h"
 #include "XMLDataFile.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -18,12 +18,6 @@ namespace mien {
 namespace {
 
 const char* const endings[] = {".vts", ".vtp", ".ply", ".obj", ".stl", ".off"};
-
-std::string endingOf(const std::string& name) {
-  std::string ending = std::filesystem::path(name).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
 
 std::string readScan(const std::string& name, vtkSmartPointer<vtkDataObject>& surface) {
   vtkNew<vtkScanReader> reader;

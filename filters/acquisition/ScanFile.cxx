@@ -14,10 +14,6 @@ namespace mien {
 
 namespace {
 
-std::string endingOf(const std::string& file) {
-  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
-}
-
 bool isKnownFormat(const std::string& ending) {
   return ending == ".ply" || ending == ".obj" || ending == ".stl" || ending == ".off";
 }
@@ -71,6 +67,10 @@ bool readThroughOpenMesh(const std::string& file, ScanMesh& scan) {
 }
 
 }  // namespace
+
+std::string endingOf(const std::string& file) {
+  return vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file));
+}
 
 std::string readScanFile(const std::string& file, TriangleMesh& mesh) {
   if (vtksys::SystemTools::FileIsDirectory(file)) return "it is a folder; give a scan of a head in it";

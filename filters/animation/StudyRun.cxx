@@ -28,7 +28,7 @@ namespace mien {
 namespace {
 
 constexpr std::chrono::milliseconds longestWait(50);  // until an interruption is seen
-constexpr std::size_t largestFile = std::size_t{1} << 32;
+constexpr std::size_t largestStudyFile = std::size_t{1} << 32;
 constexpr std::size_t keptCurves = 64;  // 20 kB each
 
 /// The curves of a face in a pose, or why there are none.
@@ -162,7 +162,7 @@ struct StudyRun::Internals {
   /// @return nothing, or why the file cannot be told from another
   std::string addContent(const std::string& file) {
     std::string bytes;
-    const std::string fault = readTextFile(file, largestFile, bytes);
+    const std::string fault = readTextFile(file, largestStudyFile, bytes);
     if (!fault.empty()) return file + ":" + fault;
     contents += hashText(bytes) + "\n";
     return {};

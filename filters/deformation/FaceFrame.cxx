@@ -28,7 +28,7 @@ namespace mien {
 
 namespace {
 
-constexpr std::size_t largestText = 5'000'000;  // region maps have a few kB
+constexpr std::size_t largestRegionText = 5'000'000;  // region maps have a few kB
 constexpr std::size_t pointsBetweenReports = 65536;
 
 vtkDataArray* pointArray(vtkPointSet* data, const char* name, int components) {
@@ -305,7 +305,7 @@ std::string readRegions(const std::string& file, FacialRegions& regions) {
   regions = defaultRegions();
   if (file.empty()) return {};
   std::string text;
-  const std::string unreadable = readTextFile(file, largestText, text);
+  const std::string unreadable = readTextFile(file, largestRegionText, text);
   if (!unreadable.empty()) return file + ":" + unreadable;
   int line = 0;
   const std::string fault = regions.parse(text, &line);

@@ -21,7 +21,7 @@ namespace mien {
 namespace {
 
 // A table with deviations has about 9 kB; a file hundreds of times larger is something else.
-constexpr std::size_t largestText = 5'000'000;
+constexpr std::size_t largestTableText = 5'000'000;
 
 const std::vector<std::pair<std::string, DeformationTable>>& tables() {
   static const auto parsed = [] {
@@ -89,7 +89,7 @@ std::string readNamedTable(const std::string& nameOrFile, DeformationTable& tabl
     return fault.empty() ? "" : "table:" + fault;
   }
   std::string text;
-  std::string fault = readTextFile(nameOrFile, largestText, text);
+  std::string fault = readTextFile(nameOrFile, largestTableText, text);
   const bool unreadable = !fault.empty();
   if (unreadable && nameOrFile.find(',') != std::string::npos) return readTableList(nameOrFile, table);
   if (!unreadable && isPackedTable(text)) {

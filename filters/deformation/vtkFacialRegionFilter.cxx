@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkFacialRegionFilter);
 
 namespace {
 
-constexpr vtkIdType pointsPerSlab = 1 << 18, pointsPerTask = 1024;
+constexpr vtkIdType classifiedPerSlab = 1 << 18, classifiedPerTask = 1024;
 
 /// The arrays that the filter adds.
 struct Arrays {
@@ -70,10 +70,10 @@ int vtkFacialRegionFilter::RequestData(vtkInformation*, vtkInformationVector** i
   if (!frame.warning.empty()) vtkWarningMacro(<< frame.warning);
   const vtkIdType count = input->GetNumberOfPoints();
   Arrays arrays(count);
-  for (vtkIdType slab = 0; slab < count; slab += pointsPerSlab) {
+  for (vtkIdType slab = 0; slab < count; slab += classifiedPerSlab) {
     if (this->GetAbortExecute()) return 1;
-    const vtkIdType slabEnd = std::min(count, slab + pointsPerSlab);
-    vtkSMPTools::For(slab, slabEnd, pointsPerTask, [&](vtkIdType begin, vtkIdType end) {
+    const vtkIdType slabEnd = std::min(count, slab + classifiedPerSlab);
+    vtkSMPTools::For(slab, slabEnd, classifiedPerTask, [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType i = begin; i < end; ++i) arrays.fill(i, frame, regions);
     });
     this->UpdateProgress(0.5 + 0.5 * slabEnd / count);

@@ -19,7 +19,7 @@ vtkStandardNewMacro(vtkPupilNormalizeFilter);
 
 namespace {
 
-constexpr vtkIdType pointsPerSlab = 1 << 20, pointsPerTask = 4096;
+constexpr vtkIdType normalisedPerSlab = 1 << 20, normalisedPerTask = 4096;
 
 void writePupils(vtkPointSet* data, const char* name, const mien::EyePupils& pupils) {
   vtkNew<vtkDoubleArray> array;
@@ -53,9 +53,9 @@ vtkIdType changePoints(vtkPointSet* from, const mien::PupilNormalisation& pupils
   const vtkIdType count = from->GetNumberOfPoints();
   to->SetDataTypeToDouble();
   to->SetNumberOfPoints(count);
-  for (vtkIdType slab = 0; slab < count && !self->GetAbortExecute(); slab += pointsPerSlab) {
-    const vtkIdType slabEnd = std::min(count, slab + pointsPerSlab);
-    vtkSMPTools::For(slab, slabEnd, pointsPerTask, [&](vtkIdType begin, vtkIdType end) {
+  for (vtkIdType slab = 0; slab < count && !self->GetAbortExecute(); slab += normalisedPerSlab) {
+    const vtkIdType slabEnd = std::min(count, slab + normalisedPerSlab);
+    vtkSMPTools::For(slab, slabEnd, normalisedPerTask, [&](vtkIdType begin, vtkIdType end) {
       Eigen::Vector3d point;
       for (vtkIdType i = begin; i < end; ++i) {
         from->GetPoint(i, point.data());

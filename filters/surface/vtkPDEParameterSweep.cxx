@@ -29,7 +29,7 @@ namespace {
 
 constexpr const char* defaultRange = "0.1:10:21log";
 constexpr const char* distanceColumn = "distance_rms_mm";
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double notComputed = std::numeric_limits<double>::quiet_NaN();
 
 /// Area-weighted RMS distance of the front of a face, mm.
 double frontalDistance(const mien::FaceSample& sample, const mien::SurfaceDistance& distance) {
@@ -143,7 +143,7 @@ void vtkPDEParameterSweep::SetResolution(int rows, int columns) {
 
 double vtkPDEParameterSweep::GetBreakdown(const std::string& scheme) const {
   const mien::SweepBreakdown* breakdown = this->Impl->find(scheme);
-  return breakdown ? breakdown->smoothing : undefined;
+  return breakdown ? breakdown->smoothing : notComputed;
 }
 
 std::string vtkPDEParameterSweep::GetBreakdownReason(const std::string& scheme) const {

@@ -26,8 +26,8 @@ vtkStandardNewMacro(vtkSurfaceDistanceFilter);
 namespace {
 
 /// Points between two looks at the abort flag; at most about 0.1 s of work on one core.
-constexpr vtkIdType pointsPerSlab = 1 << 14;
-constexpr vtkIdType pointsPerTask = 256;
+constexpr vtkIdType measuredPerSlab = 1 << 14;
+constexpr vtkIdType measuredPerTask = 256;
 constexpr int portOfTable = 2;
 constexpr double everywhere = std::numeric_limits<double>::lowest();
 
@@ -114,10 +114,10 @@ struct vtkSurfaceDistanceFilter::Internals {
     const mien::SurfaceDistance distance(to.triangles);
     const vtkIdType count = from.triangles->GetNumberOfPoints();
     from.distances.resize(count);
-    for (vtkIdType begin = 0; begin < count; begin += pointsPerSlab) {
+    for (vtkIdType begin = 0; begin < count; begin += measuredPerSlab) {
       if (self->GetAbortExecute()) return false;
-      const vtkIdType end = std::min(count, begin + pointsPerSlab);
-      vtkSMPTools::For(begin, end, pointsPerTask, [&](vtkIdType first, vtkIdType last) {
+      const vtkIdType end = std::min(count, begin + measuredPerSlab);
+      vtkSMPTools::For(begin, end, measuredPerTask, [&](vtkIdType first, vtkIdType last) {
         double point[3];
         for (vtkIdType i = first; i < last; ++i) {
           from.triangles->GetPoint(i, point);

@@ -25,7 +25,7 @@ namespace mien {
 namespace {
 
 // The largest warp mesh has 65,536 points and about 4 MB; a file larger than this is something else.
-constexpr std::size_t largestText = 10'000'000;
+constexpr std::size_t largestPlacesText = 10'000'000;
 
 /// Grey becomes red, green and blue, and any range 0 .. 255: renderers would else take colours from a table.
 void makeColours(vtkImageData* image) {
@@ -68,7 +68,7 @@ std::string meshBeside(const std::string& imageFile) {
 
 std::string readSourceMesh(const std::string& file, WarpMesh& mesh) {
   std::string text;
-  std::string fault = readTextFile(file, largestText, text, "warp mesh");
+  std::string fault = readTextFile(file, largestPlacesText, text, "warp mesh");
   if (!fault.empty()) return file + ":" + fault;
   WarpMesh read;
   fault = parseWarpMesh(text, read);
@@ -84,7 +84,7 @@ std::string readSourceMesh(const std::string& file, WarpMesh& mesh) {
 std::string readLandmarkMesh(const std::string& file, FaceWarpLayout::Kind kind, vtkPolyData* curves, double width,
                              double height, WarpMesh& mesh) {
   std::string text;
-  std::string fault = readTextFile(file, largestText, text, "list of landmarks");
+  std::string fault = readTextFile(file, largestPlacesText, text, "list of landmarks");
   if (!fault.empty()) return file + ":" + fault;
   ImageLandmarks landmarks;
   fault = parseImageLandmarks(text, landmarks);

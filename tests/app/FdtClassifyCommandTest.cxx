@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "ExpressionNames.h"
 #include "NamedTables.h"
 #include "Program.h"
 #include "ReferenceData.h"
@@ -10,15 +11,9 @@
 
 using nlohmann::json;
 
-namespace {
-
-const char* const expressions[] = {"anger", "disgust", "fear", "joy", "sadness", "surprise"};
-
-}  // namespace
-
 TEST(FdtClassifyCommand, NamesRecordingsAndTables) {
   const TemporaryFolder folder;
-  for (const char* const expression : expressions) {
+  for (const char* const expression : expressionNames) {
     const std::string file = folder.file("r.csv");
     writeTextFile(file, SampleRecording(*mien::namedTable(expression)).recording());
     for (const std::string& input : {file, std::string(expression)}) {
@@ -51,7 +46,7 @@ TEST(FdtClassifyCommand, ComparesWithTablesOfOnesOwn) {
 TEST(FdtClassifyCommand, NamesEveryRecordingAtHand) {
   MIEN_REQUIRE_REFERENCE("markers");
   int right = 0;
-  for (const char* const expression : expressions)
+  for (const char* const expression : expressionNames)
     for (int subject = 1; subject <= 12; ++subject) {
       const std::string name =
           "subject" + std::string(subject < 10 ? "0" : "") + std::to_string(subject) + "_" + expression;

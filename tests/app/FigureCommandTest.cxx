@@ -16,7 +16,7 @@ const std::vector<std::string> drawings = {"pde-1",       "pde-4",           "pd
                                            "fdt-2",       "fdt-3",           "fdt-4",         "fdt-6",    "fdt-7",
                                            "fdt-table-1", "mien-continuity", "mien-spectrum", "mien-size"};
 
-Outcome run(std::vector<std::string> arguments) {
+Outcome runFigure(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "figure");
   const Outcome outcome = runMien(arguments);
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
@@ -25,7 +25,7 @@ Outcome run(std::vector<std::string> arguments) {
 
 std::vector<std::string> knownFigures() {
   std::vector<std::string> ids;
-  std::istringstream lines(run({"--list"}).output);
+  std::istringstream lines(runFigure({"--list"}).output);
   for (std::string line; std::getline(lines, line);) ids.push_back(line.substr(0, line.find('\t')));
   return ids;
 }
@@ -48,7 +48,7 @@ std::string wordsOf(const std::string& svg) {
 
 TEST(FigureCommand, EveryFigureOfTheCatalogueIsDrawnWithoutADisplay) {
   const TemporaryFolder folder;
-  const Outcome drawn = run({"--all", "-o", folder.file("all"), "--width", "85", "--dpi", "72"});
+  const Outcome drawn = runFigure({"--all", "-o", folder.file("all"), "--width", "85", "--dpi", "72"});
   EXPECT_NE(drawn.errors.find("pde-9 (9 of 22)"), std::string::npos) << "a log has a line for each: " << drawn.errors;
   const std::string page = readTextFile(folder.file("all/index.html"));
   const std::set<std::string> plain(drawings.begin(), drawings.end());
@@ -77,15 +77,15 @@ TEST(FigureCommand, DrawingsAreTheSameBytesTwice) {
   const TemporaryFolder folder;
   for (const std::string id : {"pde-1", "pde-5", "fdt-4", "pde-4"})
     for (const std::string ending : {".svg", ".pdf"}) {
-      run({id, "-o", folder.file("a" + ending)});
-      run({id, "-o", folder.file("b" + ending)});
+      runFigure({id, "-o", folder.file("a" + ending)});
+      runFigure({id, "-o", folder.file("b" + ending)});
       EXPECT_EQ(readTextFile(folder.file("a" + ending)), readTextFile(folder.file("b" + ending))) << id << ending;
     }
 }
 
 TEST(FigureCommand, PdfHoldsFontsAndNoRaster) {
   const TemporaryFolder folder;
-  run({"pde-6", "-o", folder.file("x.pdf")});
+  runFigure({"pde-6", "-o", folder.file("x.pdf")});
   const std::string pdf = readTextFile(folder.file("x.pdf"));
   EXPECT_GT(countOf(pdf, "/FontFile"), 0);
   EXPECT_EQ(countOf(pdf, "/Subtype /Image"), 0);
@@ -93,26 +93,27 @@ TEST(FigureCommand, PdfHoldsFontsAndNoRaster) {
 
 TEST(FigureCommand, TheFontIsThatAskedFor) {
   const TemporaryFolder folder;
-  run({"fdt-4", "--font", "DejaVu Serif", "-o", folder.file("x.svg")});
+  runFigure({"fdt-4", "--font", "DejaVu Serif", "-o", folder.file("x.svg")});
   const std::string svg = readTextFile(folder.file("x.svg"));
   EXPECT_NE(svg.find("font-family=\"DejaVu Serif, "), std::string::npos);
   EXPECT_EQ(svg.find("font-family=\"DejaVu Sans"), std::string::npos);
-  run({"fdt-4", "--font", "DejaVu Serif", "-o", folder.file("x.pdf")});
+  runFigure({"fdt-4", "--font", "DejaVu Serif", "-o", folder.file("x.pdf")});
   const std::string pdf = readTextFile(folder.file("x.pdf"));
   EXPECT_NE(pdf.find("DejaVuSerif"), std::string::npos);
   EXPECT_GT(countOf(pdf, "/FontFile"), 0);
-  run({"--from", folder.file("x.pdf"), "-o", folder.file("again.svg")});
+  runFigure({"--from", folder.file("x.pdf"), "-o", folder.file("again.svg")});
   EXPECT_EQ(readTextFile(folder.file("again.svg")), svg);
 }
 
 TEST(FigureCommand, OptionsWithoutUseAreSaid) {
   const TemporaryFolder folder;
   const std::string file = folder.file("x.svg");
-  EXPECT_EQ(run({"pde-5", "-o", file}).errors, "");
-  EXPECT_NE(run({"pde-5", "--frames", "3", "-o", file}).errors.find("pde-9, pde-10 do"), std::string::npos);
+  EXPECT_EQ(runFigure({"pde-5", "-o", file}).errors, "");
+  EXPECT_NE(runFigure({"pde-5", "--frames", "3", "-o", file}).errors.find("pde-9, pde-10 do"), std::string::npos);
   EXPECT_EQ(readTextFile(file).find("--frames"), std::string::npos) << "the command it carries is the one it heeds";
   const std::string painted = MIEN_DATA_DIR "/textures/painted.png";
-  EXPECT_NE(run({"fdt-4", "--texture", painted, "-o", file}).errors.find("--texture is ignored"), std::string::npos);
+  EXPECT_NE(runFigure({"fdt-4", "--texture", painted, "-o", file}).errors.find("--texture is ignored"),
+            std::string::npos);
 }
 
 /// A figure with states of its own is the same with a motion that it has no use for, and does not claim to show it.
@@ -120,14 +121,14 @@ TEST(FigureCommand, WhatAFigureDoesNotHeedIsNotInIt) {
   const TemporaryFolder folder;
   const std::string still = folder.file("still.svg"), moved = folder.file("moved.svg");
   for (const std::string id : {"pde-1", "pde-5", "pde-6", "fdt-4", "fdt-7", "fdt-table-1", "pde-table-1"}) {
-    run({id, "-o", still});
-    const std::string errors = run({id, "--expression", "joy", "--fdt", "surprise", "-o", moved}).errors;
+    runFigure({id, "-o", still});
+    const std::string errors = runFigure({id, "--expression", "joy", "--fdt", "surprise", "-o", moved}).errors;
     EXPECT_NE(errors.find("--expression, --viseme and --set are ignored"), std::string::npos) << id;
     EXPECT_NE(errors.find("--fdt is ignored"), std::string::npos) << id;
     EXPECT_EQ(readTextFile(still), readTextFile(moved)) << id;
   }
-  run({"mien-spectrum", "-o", still});
-  EXPECT_EQ(run({"mien-spectrum", "--expression", "joy", "-o", moved}).errors, "");
+  runFigure({"mien-spectrum", "-o", still});
+  EXPECT_EQ(runFigure({"mien-spectrum", "--expression", "joy", "-o", moved}).errors, "");
   EXPECT_NE(wordsOf(readTextFile(still)), wordsOf(readTextFile(moved)));
   EXPECT_NE(readTextFile(moved).find("N = 20 with remainder; joy"), std::string::npos);
 }
@@ -136,7 +137,7 @@ TEST(FigureCommand, WhatAFigureDoesNotHeedIsNotInIt) {
 TEST(FigureCommand, OnlyFiguresOfAFaceNameIt) {
   const TemporaryFolder folder;
   for (const auto& [id, named] : {std::pair{"pde-1", true}, {"fdt-table-1", false}, {"pde-table-1", false}}) {
-    run({id, "-o", folder.file("x.svg")});
+    runFigure({id, "-o", folder.file("x.svg")});
     EXPECT_EQ(countOf(wordsOf(readTextFile(folder.file("x.svg"))), "Generic face") > 0, named) << id;
   }
 }
@@ -146,7 +147,7 @@ TEST(FigureCommand, ThinnedArrowsKeepTheLongest) {
   const TemporaryFolder folder;
   const std::string file = folder.file("x.svg");
   for (const std::string width : {"85", "100", "140", "170"}) {
-    run({"pde-9", "--width", width, "--frames", "26,66,139,223,279", "-o", file});
+    runFigure({"pde-9", "--width", width, "--frames", "26,66,139,223,279", "-o", file});
     const std::string svg = readTextFile(file);
     EXPECT_NE(svg.find(">20<"), std::string::npos) << "the end of the colours at " << width << " mm";
   }
@@ -165,7 +166,7 @@ TEST(FigureCommand, WhatWouldBeCutIsRefusedWithTheWidthThatIsNeeded) {
 
 TEST(FigureCommand, APatchOfTheCurvesHasItsBracket) {
   const TemporaryFolder folder;
-  run({"pde-1", "-o", folder.file("x.svg")});
+  runFigure({"pde-1", "-o", folder.file("x.svg")});
   const std::string svg = readTextFile(folder.file("x.svg"));
   for (int patch = 0; patch < 9; ++patch)
     EXPECT_EQ(countOf(svg, ">P" + std::to_string(patch) + "<"), 2) << "mouth closed and open";
@@ -173,20 +174,20 @@ TEST(FigureCommand, APatchOfTheCurvesHasItsBracket) {
 
 TEST(FigureCommand, AFigureIsDrawnAgainFromItsFile) {
   const TemporaryFolder folder;
-  run({"pde-1", "--scheme", "tangent", "-a", "2", "--width", "120", "-o", folder.file("a.svg")});
+  runFigure({"pde-1", "--scheme", "tangent", "-a", "2", "--width", "120", "-o", folder.file("a.svg")});
   for (const std::string ending : {".svg", ".pdf", ".png"}) {
-    run({"pde-1", "--scheme", "tangent", "-a", "2", "--width", "120", "-o", folder.file("made" + ending)});
-    run({"--from", folder.file("made" + ending), "-o", folder.file("again.svg")});
+    runFigure({"pde-1", "--scheme", "tangent", "-a", "2", "--width", "120", "-o", folder.file("made" + ending)});
+    runFigure({"--from", folder.file("made" + ending), "-o", folder.file("again.svg")});
     EXPECT_EQ(readTextFile(folder.file("a.svg")), readTextFile(folder.file("again.svg"))) << ending;
   }
 }
 
 TEST(FigureCommand, OptionsBesideAFileReplaceItsOwn) {
   const TemporaryFolder folder;
-  run({"pde-1", "--scheme", "tangent", "--no-labels", "--width", "120", "-o", folder.file("made.svg")});
-  run({"--from", folder.file("made.svg"), "--width", "85", "--theme", "dark", "-o", folder.file("again.svg")});
-  run({"pde-1", "--scheme", "tangent", "--no-labels", "--width", "85", "--theme", "dark", "-o",
-       folder.file("asked.svg")});
+  runFigure({"pde-1", "--scheme", "tangent", "--no-labels", "--width", "120", "-o", folder.file("made.svg")});
+  runFigure({"--from", folder.file("made.svg"), "--width", "85", "--theme", "dark", "-o", folder.file("again.svg")});
+  runFigure({"pde-1", "--scheme", "tangent", "--no-labels", "--width", "85", "--theme", "dark", "-o",
+             folder.file("asked.svg")});
   const std::string again = readTextFile(folder.file("again.svg")), asked = readTextFile(folder.file("asked.svg"));
   EXPECT_EQ(wordsOf(again), wordsOf(asked));
   EXPECT_NE(again.find("width=\"85mm\""), std::string::npos);
@@ -197,9 +198,9 @@ TEST(FigureCommand, WordsAndLabelsCanBeLeftOut) {
   const TemporaryFolder folder;
   const std::string file = folder.file("x.svg");
   for (const std::string id : {"pde-5", "mien-spectrum", "mien-continuity"}) {
-    run({id, "-o", file});
+    runFigure({id, "-o", file});
     EXPECT_NE(wordsOf(readTextFile(file)).find("(b)"), std::string::npos) << id;
-    run({id, "--no-labels", "--no-caption", "-o", file});
+    runFigure({id, "--no-labels", "--no-caption", "-o", file});
     const std::string svg = readTextFile(file), words = wordsOf(svg);
     EXPECT_EQ(words.find("(b)"), std::string::npos) << id;
     EXPECT_EQ(words.find("N = 5"), std::string::npos) << id;
@@ -209,7 +210,7 @@ TEST(FigureCommand, WordsAndLabelsCanBeLeftOut) {
 
 TEST(FigureCommand, PicturesInPdfAreExactAndWithoutMasks) {
   const TemporaryFolder folder;
-  run({"pde-2", "--dpi", "60", "-o", folder.file("x.pdf")});
+  runFigure({"pde-2", "--dpi", "60", "-o", folder.file("x.pdf")});
   const std::string pdf = readTextFile(folder.file("x.pdf"));
   EXPECT_GT(countOf(pdf, "/Subtype /Image"), 0);
   EXPECT_EQ(countOf(pdf, "DCTDecode"), 0) << "JPEG loses";
@@ -218,21 +219,21 @@ TEST(FigureCommand, PicturesInPdfAreExactAndWithoutMasks) {
 
 TEST(FigureCommand, AFigureHigherThanAPageIsSaid) {
   const TemporaryFolder folder;
-  EXPECT_NE(run({"pde-table-1", "--width", "40", "-o", folder.file("x.svg")}).errors.find("240 mm of a page"),
+  EXPECT_NE(runFigure({"pde-table-1", "--width", "40", "-o", folder.file("x.svg")}).errors.find("240 mm of a page"),
             std::string::npos);
 }
 
 TEST(FigureCommand, WidthsHaveUnits) {
   const TemporaryFolder folder;
-  run({"pde-5", "--width", "85", "-o", folder.file("a.svg")});
-  run({"pde-5", "--width", "8.5cm", "-o", folder.file("b.svg")});
+  runFigure({"pde-5", "--width", "85", "-o", folder.file("a.svg")});
+  runFigure({"pde-5", "--width", "8.5cm", "-o", folder.file("b.svg")});
   EXPECT_EQ(wordsOf(readTextFile(folder.file("a.svg"))), wordsOf(readTextFile(folder.file("b.svg"))));
   EXPECT_NE(readTextFile(folder.file("b.svg")).find("width=\"85mm\""), std::string::npos);
 }
 
 TEST(FigureCommand, TheTableOfExpressionsIsTheFile) {
   const TemporaryFolder folder;
-  run({"pde-table-1", "-o", folder.file("x.svg")});
+  runFigure({"pde-table-1", "-o", folder.file("x.svg")});
   const std::string words = wordsOf(readTextFile(folder.file("x.svg")));
   const auto library = nlohmann::json::parse(readTextFile(MIEN_DATA_DIR "/animation/expressions.json"));
   int checked = 0;
@@ -250,7 +251,7 @@ TEST(FigureCommand, TheTableOfExpressionsIsTheFile) {
 
 TEST(FigureCommand, AnglesInTheTableOfContinuityAreThoseMeasured) {
   const TemporaryFolder folder;
-  run({"mien-continuity", "-o", folder.file("x.svg")});
+  runFigure({"mien-continuity", "-o", folder.file("x.svg")});
   const std::string words = wordsOf(readTextFile(folder.file("x.svg")));
   const auto measured = nlohmann::json::parse(runMien({"continuity", "--scheme", "four-curve", "--json"}).output);
   for (const auto& seam : measured["seams"]) {

@@ -10,7 +10,7 @@ namespace {
 const std::string painted = MIEN_DATA_DIR "/textures/painted.png";
 const std::string sevenBySeven = MIEN_DATA_DIR "/textures/painted_7x7.csv";
 
-Outcome run(std::vector<std::string> arguments) {
+Outcome runWell(std::vector<std::string> arguments) {
   const Outcome outcome = runMien(arguments);
   EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
   EXPECT_EQ(outcome.errors, "");
@@ -29,7 +29,7 @@ TEST(TextureCommand, WarpsAPhotographOntoTheFace) {
   const TemporaryFolder folder;
   const std::string file = folder.file("texture.png");
   for (const std::string& mesh : {std::string(MIEN_DATA_DIR "/textures/painted.csv"), sevenBySeven}) {
-    run({"texture", painted, "--source", mesh, "-o", file, "--size", "800x400"});
+    runWell({"texture", painted, "--source", mesh, "-o", file, "--size", "800x400"});
     const auto picture = readPicture(file);
     ASSERT_EQ(picture->GetDimensions()[0], 800);
     ASSERT_EQ(picture->GetDimensions()[1], 400);
@@ -40,7 +40,7 @@ TEST(TextureCommand, WarpsAPhotographOntoTheFace) {
 
 TEST(TextureCommand, AMeshOntoItselfGivesTheImage) {
   const TemporaryFolder folder;
-  run({"texture", painted, "--source", sevenBySeven, "--target", sevenBySeven, "-o", folder.file("same.png")});
+  runWell({"texture", painted, "--source", sevenBySeven, "--target", sevenBySeven, "-o", folder.file("same.png")});
   const auto before = readPicture(painted), after = readPicture(folder.file("same.png"));
   ASSERT_EQ(before->GetDimensions()[0], after->GetDimensions()[0]);
   double largest = 0.0;
@@ -62,8 +62,8 @@ TEST(TextureCommand, MakesMeshesFromLandmarks) {
       text += mesh.names[i] + "," + std::to_string(mesh.x(i / 7, i % 7)) + "," + std::to_string(mesh.y(i / 7, i % 7)) +
               "\n";
   writeTextFile(folder.file("points.csv"), text);
-  run({"texture", painted, "--landmarks", folder.file("points.csv"), "--mesh", "7x7", "--save-source",
-       folder.file("a.csv"), "--save-target", folder.file("b.csv")});
+  runWell({"texture", painted, "--landmarks", folder.file("points.csv"), "--mesh", "7x7", "--save-source",
+           folder.file("a.csv"), "--save-target", folder.file("b.csv")});
   mien::WarpMesh made;
   ASSERT_EQ(mien::parseWarpMesh(readTextFile(folder.file("a.csv")), made), "");
   for (int i = 0; i < 49; ++i)
@@ -71,7 +71,7 @@ TEST(TextureCommand, MakesMeshesFromLandmarks) {
       EXPECT_NEAR(made.x(i / 7, i % 7), mesh.x(i / 7, i % 7), 1e-3);
       EXPECT_NEAR(made.y(i / 7, i % 7), mesh.y(i / 7, i % 7), 1e-3);
     }
-  run({"texture", painted, "--landmarks", folder.file("points.csv"), "--save-source", folder.file("fine.csv")});
+  runWell({"texture", painted, "--landmarks", folder.file("points.csv"), "--save-source", folder.file("fine.csv")});
   ASSERT_EQ(mien::parseWarpMesh(readTextFile(folder.file("fine.csv")), made), "");
   EXPECT_EQ(made.rows(), 19);
 }
@@ -79,7 +79,7 @@ TEST(TextureCommand, MakesMeshesFromLandmarks) {
 TEST(TextureCommand, ShowsWhereThePointsLie) {
   const TemporaryFolder folder;
   const std::string drawn = folder.file("points.png");
-  run({"texture", painted, "--source", sevenBySeven, "--show-points", drawn});
+  runWell({"texture", painted, "--source", sevenBySeven, "--show-points", drawn});
   const auto picture = readPicture(drawn);
   const int width = picture->GetDimensions()[0];
   EXPECT_NEAR(width, 1024, 2);
@@ -88,7 +88,7 @@ TEST(TextureCommand, ShowsWhereThePointsLie) {
   const double share = mesh.x(3, 3) / mesh.width, up = 1.0 - mesh.y(3, 3) / mesh.height;
   EXPECT_GT(redness(picture, share, up), 1.8) << "an orange mark on the nose ridge";
   writeTextFile(folder.file("far.csv"), "landmark,x,y\n5.4,2,2\n");
-  run({"texture", painted, "--landmarks", folder.file("far.csv"), "--show-points", folder.file("far.svg")});
+  runWell({"texture", painted, "--landmarks", folder.file("far.csv"), "--show-points", folder.file("far.svg")});
   EXPECT_NE(readTextFile(folder.file("far.svg")).find(">5.4<"), std::string::npos) << "what is wrong is seen as well";
 }
 
@@ -134,7 +134,7 @@ TEST(TextureCommand, RenderShowsTheTextureAndKeepsItInItsState) {
   const auto render = [&](const std::string& output, std::vector<std::string> options) {
     options.insert(options.begin(), {"render", "-o", output});
     options.insert(options.end(), small.begin(), small.end());
-    return run(options);
+    return runWell(options);
   };
   render(plain, {});
   render(file, {"--texture", painted + ":" + sevenBySeven});

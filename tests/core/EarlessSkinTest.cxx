@@ -1,13 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "Degree.h"
 #include "EarlessSkin.h"
 #include "SyntheticHead.h"
 
 using namespace mien;
 
 namespace {
-
-constexpr double degree = M_PI / 180.0;
 
 /// Ears of 30 mm at 90 to 115 degrees of azimuth and 60 mm of height.
 SyntheticHead headWithEars() {

@@ -11,7 +11,7 @@ using namespace mien;
 
 namespace {
 
-FAPSequence parsed(const std::string& text) {
+FAPSequence parsedCsv(const std::string& text) {
   FAPSequence sequence;
   const auto error = parseFAPCsv(text, sequence);
   EXPECT_FALSE(error.has_value()) << error->line << ": " << error->message;
@@ -21,7 +21,7 @@ FAPSequence parsed(const std::string& text) {
 }  // namespace
 
 TEST(FAPCsv, ColumnsAreFoundByNumberAndByName) {
-  const FAPSequence sequence = parsed(
+  const FAPSequence sequence = parsedCsv(
       "frame,time,FAP51,fap "
       "52,FAP53_stretch_l_cornerlip_o,stretch_r_cornerlip,Viseme_Select1,FAP2_expression_intensity1\n"
       "7,0,1,2,3,4,5,6\n8,0.1,1.5,-2,+3e1,,0,63\n");
@@ -41,7 +41,7 @@ TEST(FAPCsv, ColumnsAreFoundByNumberAndByName) {
 
 TEST(FAPCsv, TheCommentGoesBeforeTheTimes) {
   const FAPSequence sequence =
-      parsed("# mine\r\n# mien fap csv 1; fps=29.97; version=2.0; name=a; b\r\n\"FAP3\" , \"FAP4\"\r\n1,2\r\n");
+      parsedCsv("# mine\r\n# mien fap csv 1; fps=29.97; version=2.0; name=a; b\r\n\"FAP3\" , \"FAP4\"\r\n1,2\r\n");
   EXPECT_EQ(sequence.framesPerSecond, 29.97);
   EXPECT_EQ(sequence.version, "2.0");
   EXPECT_EQ(sequence.name, "a; b");
@@ -49,12 +49,12 @@ TEST(FAPCsv, TheCommentGoesBeforeTheTimes) {
 }
 
 TEST(FAPCsv, SemicolonsAndTabsSeparateToo) {
-  EXPECT_EQ(parsed("FAP3;FAP4;FAP5\n1;2;3\n").frames[0].value(5), 3.0);
-  EXPECT_EQ(parsed("FAP3\tFAP4\tFAP5\n1\t2\t3\n").frames[0].value(5), 3.0);
+  EXPECT_EQ(parsedCsv("FAP3;FAP4;FAP5\n1;2;3\n").frames[0].value(5), 3.0);
+  EXPECT_EQ(parsedCsv("FAP3\tFAP4\tFAP5\n1\t2\t3\n").frames[0].value(5), 3.0);
 }
 
 TEST(FAPCsv, WhatIsLeftOutOrAssumedIsSaid) {
-  const FAPSequence sequence = parsed("note,FAP3,FAP99\nhello,1,2\n");
+  const FAPSequence sequence = parsedCsv("note,FAP3,FAP99\nhello,1,2\n");
   ASSERT_EQ(sequence.warnings.size(), 2u);
   EXPECT_NE(sequence.warnings[0].message.find("'note', 'FAP99'"), std::string::npos) << sequence.warnings[0].message;
   EXPECT_NE(sequence.warnings[1].message.find("25 frames per second are assumed"), std::string::npos);
@@ -76,10 +76,10 @@ TEST(FAPCsv, ATimeBesideATimeOrAnAbsurdValueIsRefused) {
 }
 
 TEST(FAPCsv, OneTimedRowTellsNoRate) {
-  const FAPSequence sequence = parsed("time,FAP3\n2.5,1\n");
+  const FAPSequence sequence = parsedCsv("time,FAP3\n2.5,1\n");
   ASSERT_EQ(sequence.warnings.size(), 1u);
   EXPECT_NE(sequence.warnings[0].message.find("a single time tells no rate"), std::string::npos);
-  EXPECT_EQ(parsed("frame\n1\n2\n").frames.size(), 2u) << "neutral frames need no column of a FAP";
+  EXPECT_EQ(parsedCsv("frame\n1\n2\n").frames.size(), 2u) << "neutral frames need no column of a FAP";
 }
 
 TEST(AnimationText, WhatIsNoTableIsToldAsSuch) {

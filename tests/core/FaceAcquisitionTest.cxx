@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "Degree.h"
 #include "FaceAcquisition.h"
 #include "FaceLayout.h"
 #include "SyntheticHead.h"
@@ -104,7 +105,6 @@ TEST(FaceAcquisition, SymmetrisedFacesMirrorToTheLastBit) {
 
 // A ray below the tip of a nose leaves the skin in a nostril: one deep sample made bumps across the whole cheek.
 TEST(FaceAcquisition, NostrilsAreNoPartOfTheCurves) {
-  constexpr double degree = M_PI / 180.0;
   SyntheticHead smooth = ellipticHead(), pierced = ellipticHead();
   const auto round = ellipticHead().radius;
   smooth.radius = [round](double azimuth, double y) {

@@ -8,6 +8,7 @@
 #include "LargestSeamAngle.h"
 #include "ModeOperator.h"
 #include "RandomCurves.h"
+#include "SchemeOptions.h"
 #include "SurfaceDeparture.h"
 #include "WillmoreEnergy.h"
 
@@ -68,13 +69,6 @@ void expectConvergence(const Function& measure, double exact, double tolerance) 
     error = now;
   }
   EXPECT_LT(error, tolerance);
-}
-
-FaceSurfaceOptions optionsFor(const std::string& scheme, double a) {
-  FaceSurfaceOptions options;
-  options.scheme = scheme;
-  options.smoothing.fill(a);
-  return options;
 }
 
 }  // namespace

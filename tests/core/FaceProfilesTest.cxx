@@ -1,16 +1,11 @@
 #include <gtest/gtest.h>
 
+#include "Degree.h"
 #include "FaceLayout.h"
 #include "FaceProfiles.h"
 #include "SyntheticHead.h"
 
 using namespace mien;
-
-namespace {
-
-constexpr double degree = M_PI / 180.0;
-
-}  // namespace
 
 TEST(FaceProfiles, CurvesNeverCrossAtAnyAzimuth) {
   const FaceProfiles profiles(ellipticHead().landmarks());

@@ -24,7 +24,7 @@ std::string landmarkFile(const std::string& header, bool vertices, int changed =
   return file.str();
 }
 
-void expectFault(const std::string& file, const std::string& start, const std::string& part) {
+void expectLandmarkFault(const std::string& file, const std::string& start, const std::string& part) {
   LandmarkTable table;
   table.hasVertices = true;
   table.vertices[3] = 77;
@@ -65,7 +65,7 @@ TEST(LandmarkTable, AByteOrderMarkIsNoPartOfTheFirstColumn) {
   ASSERT_EQ(parseLandmarks(sound, plain), "");
   ASSERT_EQ(parseLandmarks("\xEF\xBB\xBF" + sound, marked), "");
   EXPECT_EQ(marked.positions.points, plain.positions.points);
-  expectFault("\xEF\xBB\xBF" + file, "5: ", "landmark 3 is given twice");
+  expectLandmarkFault("\xEF\xBB\xBF" + file, "5: ", "landmark 3 is given twice");
 }
 
 TEST(LandmarkTable, RefusesAVertexTheMeshDoesNotHave) {
@@ -77,20 +77,20 @@ TEST(LandmarkTable, RefusesAVertexTheMeshDoesNotHave) {
 }
 
 TEST(LandmarkTable, NamesTheLineAtFault) {
-  expectFault("", "1: ", "header");
-  expectFault(landmarkFile("landmark,x,y", false), "1: ", "header");
+  expectLandmarkFault("", "1: ", "header");
+  expectLandmarkFault(landmarkFile("landmark,x,y", false), "1: ", "header");
   const std::string header = "landmark,x,y,z";
-  expectFault(landmarkFile(header, false, 4, "68,1,2,3"), "4: ", "no landmark number");
-  expectFault(landmarkFile(header, false, 4, "-1,1,2,3"), "4: ", "no landmark number");
-  expectFault(landmarkFile(header, false, 4, "1,1,2,3"), "4: ", "twice");
-  expectFault(landmarkFile(header, false, 4, "2,1,nan,3"), "4: ", "finite");
-  expectFault(landmarkFile(header, false, 4, "2,1,inf,3"), "4: ", "finite");
-  expectFault(landmarkFile(header, false, 4, "2,1"), "4: ", "2 cells under 4 columns");
-  expectFault(landmarkFile(header, false, 4, "2,1,2,3,4"), "4: ", "5 cells under 4 columns");
-  expectFault(landmarkFile("Landmark,x,y,z", false), "1: ", "'Landmark'");
-  expectFault(landmarkFile(header, false, 4, "2,1,2x,3"), "4: ", "finite");
-  expectFault(landmarkFile(header, false, 32, ""), "69: ", "landmark 30 (nose_tip) is missing");
-  expectFault(landmarkFile("landmark,vertex", true, 9, "7,1.5"), "9: ", "no vertex number");
+  expectLandmarkFault(landmarkFile(header, false, 4, "68,1,2,3"), "4: ", "no landmark number");
+  expectLandmarkFault(landmarkFile(header, false, 4, "-1,1,2,3"), "4: ", "no landmark number");
+  expectLandmarkFault(landmarkFile(header, false, 4, "1,1,2,3"), "4: ", "twice");
+  expectLandmarkFault(landmarkFile(header, false, 4, "2,1,nan,3"), "4: ", "finite");
+  expectLandmarkFault(landmarkFile(header, false, 4, "2,1,inf,3"), "4: ", "finite");
+  expectLandmarkFault(landmarkFile(header, false, 4, "2,1"), "4: ", "2 cells under 4 columns");
+  expectLandmarkFault(landmarkFile(header, false, 4, "2,1,2,3,4"), "4: ", "5 cells under 4 columns");
+  expectLandmarkFault(landmarkFile("Landmark,x,y,z", false), "1: ", "'Landmark'");
+  expectLandmarkFault(landmarkFile(header, false, 4, "2,1,2x,3"), "4: ", "finite");
+  expectLandmarkFault(landmarkFile(header, false, 32, ""), "69: ", "landmark 30 (nose_tip) is missing");
+  expectLandmarkFault(landmarkFile("landmark,vertex", true, 9, "7,1.5"), "9: ", "no vertex number");
 }
 
 TEST(LandmarkTable, LandmarksWithoutNamesMayBeMissing) {
@@ -104,7 +104,8 @@ TEST(LandmarkTable, ReadsNames) {
   LandmarkTable table;
   ASSERT_EQ(parseLandmarks(landmarkFile("landmark,x,y,z", false, 32, "nose_tip,1,2,3"), table), "");
   EXPECT_EQ(table.positions[30], Eigen::Vector3d(1.0, 2.0, 3.0));
-  expectFault(landmarkFile("landmark,x,y,z", false, 33, "nose_tip,1,2,3"), "33: ", "landmark 30 is given twice");
+  expectLandmarkFault(landmarkFile("landmark,x,y,z", false, 33, "nose_tip,1,2,3"),
+                      "33: ", "landmark 30 is given twice");
 }
 
 TEST(LandmarkTable, RowsWithoutNumbersCountFromZero) {
@@ -113,7 +114,7 @@ TEST(LandmarkTable, RowsWithoutNumbersCountFromZero) {
   LandmarkTable table;
   ASSERT_EQ(parseLandmarks(file, table), "");
   EXPECT_EQ(table.positions[67].x(), 67.0);
-  expectFault(file + "1,2,3\n", "70: ", "no landmark number");
+  expectLandmarkFault(file + "1,2,3\n", "70: ", "no landmark number");
 }
 
 TEST(LandmarkTable, MissingLandmarksFollowTheWarpOfTheOthers) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "EvenColumns.h"
 #include "ModeSpectrum.h"
 #include "PDESurface.h"
 #include "RandomCurves.h"
@@ -10,10 +11,6 @@ namespace {
 
 constexpr int rows = 56;
 
-Eigen::VectorXd columns(int count) {
-  return Eigen::VectorXd::LinSpaced(count, 0.0, 2.0 * M_PI * (count - 1) / count);
-}
-
 FaceSurfaceOptions withModes(int modes, bool remainder = true, const std::string& scheme = "spline") {
   FaceSurfaceOptions options;
   options.scheme = scheme;
@@ -23,7 +20,7 @@ FaceSurfaceOptions withModes(int modes, bool remainder = true, const std::string
 }
 
 ModeSpectrum spectrumOf(const FaceSurfaceOptions& options, const FaceCurves& face, int columnCount = 40) {
-  ModeSpectrum spectrum(options, RowLayout(rows, false), face.curves.pointsPerCurve, columns(columnCount));
+  ModeSpectrum spectrum(options, RowLayout(rows, false), face.curves.pointsPerCurve, evenColumns(columnCount));
   EXPECT_EQ(spectrum.fault(), "");
   spectrum.setCurves(face.curves);
   return spectrum;
@@ -32,7 +29,7 @@ ModeSpectrum spectrumOf(const FaceSurfaceOptions& options, const FaceCurves& fac
 RowMajor<double> surfaceOf(const FaceSurfaceOptions& options, const FaceCurves& face, int columnCount = 40) {
   PDESurface<double> surface(facePieces(options, RowLayout(rows, false)),
                              HarmonicSplit(face.curves.pointsPerCurve, options.modes, options.remainder),
-                             FaceLayout::curveCount, columns(columnCount));
+                             FaceLayout::curveCount, evenColumns(columnCount));
   surface.setCurves(face.curves);
   RowMajor<double> grid(rows, 3 * columnCount);
   surface.evaluate(0, 0, 0, {grid.data(), grid.rows(), grid.cols()});
@@ -72,7 +69,7 @@ TEST(ModeSpectrum, PartialSumsAreTheSurfacesOfFewerModes) {
 
 TEST(ModeSpectrum, AContributionHasItsOwnFrequencyOnly) {
   const ModeSpectrum spectrum = spectrumOf(withModes(5), randomFace(), 120);
-  const Eigen::VectorXd v = columns(120);
+  const Eigen::VectorXd v = evenColumns(120);
   for (int n = 0; n <= 5; ++n) {
     const RowMajor<double> grid = spectrum.contribution(n);
     for (int frequency = 0; frequency <= 20; ++frequency) {

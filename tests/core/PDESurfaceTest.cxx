@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "EvenColumns.h"
 #include "FaceLebesgue.h"
 #include "FaceSurface.h"
 #include "PDESurface.h"
@@ -13,10 +14,6 @@
 using namespace mien;
 
 namespace {
-
-Eigen::VectorXd columns(int count) {
-  return Eigen::VectorXd::LinSpaced(count, 0.0, 2.0 * M_PI * (count - 1) / count);
-}
 
 PDESurface<double> makeFace(const FaceSurfaceOptions& options, int rows, int pointsPerCurve, const Eigen::VectorXd& v) {
   const HarmonicSplit split(pointsPerCurve, options.modes, options.remainder);
@@ -64,7 +61,7 @@ double fourCurveMiss(double a, int modes, int pointsPerCurve) {
   options.scheme = "four-curve";
   options.modes = modes;
   options.smoothing.fill(a);
-  PDESurface<double> surface = makeFace(options, 29, pointsPerCurve, columns(pointsPerCurve));
+  PDESurface<double> surface = makeFace(options, 29, pointsPerCurve, evenColumns(pointsPerCurve));
   surface.setCurves(face.curves);
   const RowMajor<double> grid = positions(surface);
   double miss = 0.0;
@@ -88,11 +85,11 @@ TEST(PDESurface, WithoutTheRemainderCurvesAreMissed) {
   const FaceCurves face = randomFace();
   FaceSurfaceOptions options;
   options.remainder = false;
-  PDESurface<double> surface = makeFace(options, 29, 40, columns(40));
+  PDESurface<double> surface = makeFace(options, 29, 40, evenColumns(40));
   surface.setCurves(face.curves);
   EXPECT_GT(largestMiss(positions(surface), 0, face.curves, 0), 0.1);
   options.modes = 20;
-  PDESurface<double> complete = makeFace(options, 29, 40, columns(40));
+  PDESurface<double> complete = makeFace(options, 29, 40, evenColumns(40));
   complete.setCurves(face.curves);
   EXPECT_LE(largestMiss(positions(complete), 0, face.curves, 0), 1e-12 * sizeOf(face.curves));
 }
@@ -104,7 +101,7 @@ TEST(PDESurface, DerivativeFaceMeetsItsEndsAndItsSlopesUpToTheLargestSmoothing) 
     FaceSurfaceOptions options;
     options.scheme = "derivative";
     options.smoothing.fill(a);
-    PDESurface<double> surface = makeFace(options, 29, 40, columns(40));
+    PDESurface<double> surface = makeFace(options, 29, 40, evenColumns(40));
     surface.setCurves(face.curves);
     const RowMajor<double> grid = positions(surface), su = derivativesU(surface);
     for (const int first : FaceLayout::firstCurve) {
@@ -133,13 +130,13 @@ TEST(PDESurface, ExactSolutionComesBackBetweenCurvesAndSamples) {
     piece.smoothing = a;
     piece.boundaryData = [](int) { return Eigen::MatrixXd::Identity(4, 4).eval(); };
     for (int i = 0; i <= 50; ++i) piece.u.push_back(i / 50.0);
-    PDESurface<double> surface({piece}, HarmonicSplit(16, 5, true), 4, columns(37));
+    PDESurface<double> surface({piece}, HarmonicSplit(16, 5, true), 4, evenColumns(37));
     surface.setCurves(curves);
     const RowMajor<double> grid = positions(surface);
     const double tolerance = 1e-12 * (1 + lebesgueConstant(piece, HarmonicSplit(16, 5, true)));
     for (int row = 0; row < grid.rows(); ++row)
       for (int i = 0; i < 37; ++i)
-        EXPECT_LE((grid.block<1, 3>(row, 3 * i) - exact(piece.u[row], columns(37)[i])).cwiseAbs().maxCoeff(),
+        EXPECT_LE((grid.block<1, 3>(row, 3 * i) - exact(piece.u[row], evenColumns(37)[i])).cwiseAbs().maxCoeff(),
                   tolerance);
   }
 }
@@ -169,7 +166,7 @@ TEST(PDESurface, NormalsPointOutwards) {
       const double height = face.curves.curve(c).col(1).mean();
       face.curves.curve(c).row(j) << -80 * std::sin(v), height, -80 * std::cos(v);
     }
-  PDESurface<double> surface = makeFace({}, 56, 40, columns(40));
+  PDESurface<double> surface = makeFace({}, 56, 40, evenColumns(40));
   surface.setCurves(face.curves);
   RowMajor<double> s = positions(surface), su = derivativesU(surface), sv = derivativesV(surface),
                    normals(s.rows(), s.cols());
@@ -188,7 +185,7 @@ TEST(PDESurface, IsLinearAndMovesWithItsCurves) {
   ClosedCurves sum = a.curves;
   sum.points = 2.0 * a.curves.points - b.curves.points;
   sum.points.rowwise() += Eigen::RowVector3d(10, -20, 30);
-  PDESurface<double> surface = makeFace({}, 56, 40, columns(40));
+  PDESurface<double> surface = makeFace({}, 56, 40, evenColumns(40));
   const auto evaluate = [&](const ClosedCurves& curves) {
     surface.setCurves(curves);
     return positions(surface);
@@ -229,13 +226,13 @@ TEST(PDESurface, SmoothSchemesMeetEveryCurveAndHaveSmoothSeams) {
       FaceSurfaceOptions options;
       options.scheme = scheme;
       options.modes = modes;
-      PDESurface<double> surface = makeFace(options, 29, 40, columns(40));
+      PDESurface<double> surface = makeFace(options, 29, 40, evenColumns(40));
       surface.setCurves(face.curves);
       const RowMajor<double> grid = positions(surface);
       for (int c = 0; c < FaceLayout::curveCount; ++c)
         EXPECT_LE(largestMiss(grid, rowOfCurve(c, 29), face.curves, c), 1e-10 * sizeOf(face.curves))
             << scheme << " N " << modes;
-      PDESurface<double> ends = makeEnds(options, columns(400));
+      PDESurface<double> ends = makeEnds(options, evenColumns(400));
       ends.setCurves(face.curves);
       EXPECT_LE(largestJump(ends, 0, 0), 1e-10) << scheme;
       EXPECT_LE(largestJump(ends, 1, 0), 1e-10) << scheme;
@@ -252,7 +249,7 @@ TEST(PDESurface, SeamsAreAsSmoothAsTheSchemeSaysAndNoSmoother) {
   for (const FaceScheme& scheme : faceSchemes()) {
     FaceSurfaceOptions options;
     options.scheme = scheme.name;
-    PDESurface<double> ends = makeEnds(options, columns(400));
+    PDESurface<double> ends = makeEnds(options, evenColumns(400));
     ends.setCurves(face.curves);
     for (int order = 0; order <= 2; ++order) {
       const double jump = largestJump(ends, order, 0);
@@ -276,7 +273,7 @@ TEST(PDESurface, SplineStaysInsideItsCurvesAtEveryRate) {
       options.scheme = "spline";
       options.modes = modes;
       options.smoothing.fill(a);
-      PDESurface<double> surface = makeFace(options, 27 * 6 + 2, 40, columns(40));
+      PDESurface<double> surface = makeFace(options, 27 * 6 + 2, 40, evenColumns(40));
       surface.setCurves(face.curves);
       const RowMajor<double> grid = positions(surface);
       double outside = 0.0;

@@ -17,25 +17,25 @@ std::vector<double> meansOf(const std::vector<double>& pixels, const std::vector
   return result;
 }
 
-const std::vector<double> sample = {3.0, -1.0, 4.0, 1.0, -5.0, 9.0, 2.0, 6.0};
+const std::vector<double> samplePixels = {3.0, -1.0, 4.0, 1.0, -5.0, 9.0, 2.0, 6.0};
 
 }  // namespace
 
 TEST(PixelLine, APixelKeepsItsValue) {
-  const std::vector<double> means = meansOf(sample, {0, 1, 2, 3, 4, 5, 6, 7, 8});
-  for (std::size_t i = 0; i < sample.size(); ++i) EXPECT_NEAR(means[i], sample[i], 1e-14);
+  const std::vector<double> means = meansOf(samplePixels, {0, 1, 2, 3, 4, 5, 6, 7, 8});
+  for (std::size_t i = 0; i < samplePixels.size(); ++i) EXPECT_NEAR(means[i], samplePixels[i], 1e-14);
 }
 
 TEST(PixelLine, NothingIsLostHoweverTheLineIsCut) {
   const std::vector<double> borders = {0.0, 0.3, 0.31, 2.7, 2.9, 3.5, 7.2, 8.0};
-  const std::vector<double> means = meansOf(sample, borders);
+  const std::vector<double> means = meansOf(samplePixels, borders);
   double sum = 0.0;
   for (std::size_t i = 0; i < means.size(); ++i) sum += means[i] * (borders[i + 1] - borders[i]);
-  EXPECT_NEAR(sum, std::accumulate(sample.begin(), sample.end(), 0.0), 1e-13);
+  EXPECT_NEAR(sum, std::accumulate(samplePixels.begin(), samplePixels.end(), 0.0), 1e-13);
 }
 
 TEST(PixelLine, ReducingByWholeFactorsIsTheMean) {
-  const std::vector<double> means = meansOf(sample, {0, 4, 8});
+  const std::vector<double> means = meansOf(samplePixels, {0, 4, 8});
   EXPECT_NEAR(means[0], 1.75, 1e-14);
   EXPECT_NEAR(means[1], 3.0, 1e-14);
 }
@@ -70,9 +70,9 @@ TEST(PixelLine, BeyondItsEndsItRepeatsThem) {
 TEST(PixelLine, ChannelsDoNotMix) {
   for (const int channels : {1, 2, 3, 4, 5}) {
     std::vector<double> together;
-    for (const double value : sample)
+    for (const double value : samplePixels)
       for (int c = 0; c < channels; ++c) together.push_back(c == channels - 1 ? value : 100.0 * c);
-    const std::vector<double> borders = {0.2, 0.9, 3.3, 3.3, 6.0}, alone = meansOf(sample, borders);
+    const std::vector<double> borders = {0.2, 0.9, 3.3, 3.3, 6.0}, alone = meansOf(samplePixels, borders);
     const std::vector<double> means = meansOf(together, borders, channels);
     for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_NEAR(means[i * channels + channels - 1], alone[i], 1e-13);
   }

@@ -7,7 +7,7 @@ using namespace mien;
 
 namespace {
 
-void expectFault(const std::string& text, const std::string& start, const std::string& part) {
+void expectPointFault(const std::string& text, const std::string& start, const std::string& part) {
   PointTable table;
   table.hasRegions = true;
   const std::string fault = table.parse(text);
@@ -40,14 +40,14 @@ TEST(PointTable, ReadsColumnsByNameAndWritesThemBack) {
 }
 
 TEST(PointTable, NamesTheLineAtFault) {
-  expectFault("", "1: ", "header");
-  expectFault("marker,x\n", "1: ", "marker, x and y");
-  expectFault("marker,x,y\n\n", "1: ", "no marker");
-  expectFault("marker,x,y\na,1\n", "2: ", "2 cells under 3 columns");
-  expectFault("marker,x,y\na,1,2\n,1,2\n", "3: ", "no name");
-  expectFault("marker,x,y\na,1,nan\n", "2: a: 'nan' in column y", "finite");
-  expectFault("marker,x,y\na,1,2\na,1,2\n", "3: ", "given twice");
-  expectFault("marker,x,y,region\na,1,2,17\n", "2: a: '17'", "1 to 16");
+  expectPointFault("", "1: ", "header");
+  expectPointFault("marker,x\n", "1: ", "marker, x and y");
+  expectPointFault("marker,x,y\n\n", "1: ", "no marker");
+  expectPointFault("marker,x,y\na,1\n", "2: ", "2 cells under 3 columns");
+  expectPointFault("marker,x,y\na,1,2\n,1,2\n", "3: ", "no name");
+  expectPointFault("marker,x,y\na,1,nan\n", "2: a: 'nan' in column y", "finite");
+  expectPointFault("marker,x,y\na,1,2\na,1,2\n", "3: ", "given twice");
+  expectPointFault("marker,x,y,region\na,1,2,17\n", "2: a: '17'", "1 to 16");
 }
 
 TEST(PointTable, FindsPupilsByNameOrPlace) {

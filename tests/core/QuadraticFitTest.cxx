@@ -3,6 +3,7 @@
 #include <random>
 
 #include "QuadraticFit.h"
+#include "SampleMap.h"
 
 using namespace mien;
 
@@ -14,12 +15,6 @@ PlanePoints randomPoints(int count, const Eigen::RowVector2d& centre, double siz
   PlanePoints points(count, 2);
   for (int i = 0; i < count; ++i) points.row(i) = centre + Eigen::RowVector2d(place(random), place(random));
   return points;
-}
-
-QuadraticMap sampleMap() {
-  QuadraticMap map;
-  map.coefficients << 0.3, -0.2, 0.1, 1.2, 0.05, -0.3, -0.15, 0.25, 0.4, -0.1, 0.9, 0.2;
-  return map;
 }
 
 PlanePoints mapped(const QuadraticMap& map, const PlanePoints& points) {

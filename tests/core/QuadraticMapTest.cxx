@@ -1,18 +1,9 @@
 #include <gtest/gtest.h>
 
 #include "QuadraticMap.h"
+#include "SampleMap.h"
 
 using namespace mien;
-
-namespace {
-
-QuadraticMap sampleMap() {
-  QuadraticMap map;
-  map.coefficients << 0.3, -0.2, 0.1, 1.2, 0.05, -0.3, -0.15, 0.25, 0.4, -0.1, 0.9, 0.2;
-  return map;
-}
-
-}  // namespace
 
 TEST(QuadraticMap, TheDefaultMovesNothing) {
   const Eigen::Vector2d point(1.7, -2.9);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "AnalyticJets.h"
+#include "Degree.h"
 #include "SeamMeasures.h"
 #include "SeamSummary.h"
 
@@ -8,7 +9,6 @@ using namespace mien;
 
 namespace {
 
-constexpr double degree = M_PI / 180.0;
 constexpr double tolerance = 1e-9;
 
 /// A plane through the x axis that rises by `slope` (radians) along y, its u of length `speed`.

@@ -2,23 +2,17 @@
 
 #include "FaceSample.h"
 #include "RandomCurves.h"
+#include "SchemeOptions.h"
 #include "SurfaceInfluence.h"
 
 using namespace mien;
 
 namespace {
 
-constexpr int columns = 40;
-
-FaceSurfaceOptions optionsFor(const std::string& scheme, double a = 1.0) {
-  FaceSurfaceOptions options;
-  options.scheme = scheme;
-  options.smoothing.fill(a);
-  return options;
-}
+constexpr int gridColumns = 40;
 
 RowMajor<double> influenceOf(const std::string& scheme, const InfluenceSource& source, double a = 1.0) {
-  return surfaceInfluence(optionsFor(scheme, a), 40, RowLayout(56, false), columns, source);
+  return surfaceInfluence(optionsFor(scheme, a), 40, RowLayout(56, false), gridColumns, source);
 }
 
 }  // namespace
@@ -31,15 +25,15 @@ TEST(SurfaceInfluence, IsTheDifferenceOfTwoSurfaces) {
       const Eigen::RowVector3d move(0.5, -1.0, 2.0);
       for (int j = 0; j < 40; ++j)
         if (point < 0 || j == point) moved.curves.curve(12).row(j) += move;
-      const FaceSample before(face, optionsFor(scheme.name), 56, columns),
-          after(moved, optionsFor(scheme.name), 56, columns);
+      const FaceSample before(face, optionsFor(scheme.name), 56, gridColumns),
+          after(moved, optionsFor(scheme.name), 56, gridColumns);
       const RowMajor<double> influence = influenceOf(scheme.name, {12, point});
       const RowLayout layout(56, false);
       for (int patch = 0; patch < FaceLayout::patchCount; ++patch)
         for (int row = before.firstRow(patch) + 1; row < before.firstRow(patch + 1); ++row) {
           int gridRow = 0;
           while (layout.rows()[gridRow].patch != patch || layout.rows()[gridRow].u != before.u(row)) ++gridRow;
-          for (int column = 0; column < columns; ++column) {
+          for (int column = 0; column < gridColumns; ++column) {
             const Eigen::Vector3d difference = after.point(row, column) - before.point(row, column);
             ASSERT_LT((difference - influence(gridRow, column) * move.transpose()).norm(), 1e-11) << scheme.name;
           }
@@ -86,7 +80,7 @@ TEST(SurfaceInfluence, OfAPointIsForgottenSoonerAtLargerA) {
   const RowLayout layout(218, false);
   double last = 1.0;
   for (const double a : {1.0, 3.0, 10.0}) {
-    const auto influence = surfaceInfluence(optionsFor("spline", a), 40, layout, columns, {12, 20});
+    const auto influence = surfaceInfluence(optionsFor("spline", a), 40, layout, gridColumns, {12, 20});
     const double width = InfluenceProfile(influence, layout, 12).curvesAbove;
     EXPECT_LT(width, last) << a;
     last = width;

@@ -21,7 +21,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
-void expectFault(const std::string& text, const std::string& start, const std::string& part) {
+void expectTableFault(const std::string& text, const std::string& start, const std::string& part) {
   DeformationTable table;
   table.largestDisplacement = 7.0;
   const std::string fault = parseTable(text, table);
@@ -59,7 +59,7 @@ TEST(TableText, NumbersOfRecordingsAreKeptAndFilesWithoutThemKnowEveryRegion) {
   EXPECT_EQ(read.counts, table.counts);
   EXPECT_EQ(read.unknownRegions(), std::vector<int>{4});
   for (const char* wrong : {"-1", "0.5", "", "9999999"})
-    expectFault(replaced(writeTable(table), ",0,0.1\n", std::string(",") + wrong + ",0.1\n"), "5: ", "column n");
+    expectTableFault(replaced(writeTable(table), ",0,0.1\n", std::string(",") + wrong + ",0.1\n"), "5: ", "column n");
 }
 
 TEST(TableText, ZerosHaveNoSign) {
@@ -72,13 +72,13 @@ TEST(TableText, NamesTheLineAtFault) {
   const std::string good = writeTable(DeformationTable());
   const std::string row = "5,0,0,0,1,0,0,0,0,0,0,1,0\n";
   ASSERT_NE(good.find(row), std::string::npos);
-  expectFault("", "1: ", "empty");
-  expectFault(replaced(good, ",b6", ",c6"), "1: ", "b6");
-  expectFault(replaced(good, "region", "area"), "1: ", "region");
-  expectFault(replaced(good, ",b6", ",b6,a1_sd"), "1: ", "all twelve");
-  expectFault(replaced(good, row, ""), "16: ", "region 5 is missing");
-  expectFault(replaced(good, row, row + row), "7: ", "region 5 is given twice");
-  expectFault(replaced(good, row, "5,0,0,0,1,0,0,0,0,0,0,1\n"), "6: ", "12 cells");
-  expectFault(replaced(good, row, "5,0,0,0,1,0,0,0,nan,0,0,1,0\n"), "6: ", "region 5");
-  expectFault(replaced(good, row, "17,0,0,0,1,0,0,0,0,0,0,1,0\n"), "6: ", "1 to 16");
+  expectTableFault("", "1: ", "empty");
+  expectTableFault(replaced(good, ",b6", ",c6"), "1: ", "b6");
+  expectTableFault(replaced(good, "region", "area"), "1: ", "region");
+  expectTableFault(replaced(good, ",b6", ",b6,a1_sd"), "1: ", "all twelve");
+  expectTableFault(replaced(good, row, ""), "16: ", "region 5 is missing");
+  expectTableFault(replaced(good, row, row + row), "7: ", "region 5 is given twice");
+  expectTableFault(replaced(good, row, "5,0,0,0,1,0,0,0,0,0,0,1\n"), "6: ", "12 cells");
+  expectTableFault(replaced(good, row, "5,0,0,0,1,0,0,0,nan,0,0,1,0\n"), "6: ", "region 5");
+  expectTableFault(replaced(good, row, "17,0,0,0,1,0,0,0,0,0,0,1,0\n"), "6: ", "1 to 16");
 }

@@ -7,6 +7,7 @@
 #include "ErrorCounter.h"
 #include "FaceFiles.h"
 #include "FaceLayout.h"
+#include "RefusedFace.h"
 #include "TemporaryFolder.h"
 #include "TextFile.h"
 #include "vtkBoundaryCurveReader.h"
@@ -21,22 +22,12 @@ namespace {
 using Change = std::function<void(mien::FaceCurves&)>;
 
 /// Reads a file that must be refused with a sentence that names the file and says `word`.
-void expectRefused(const std::string& file, const std::string& word) {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  ErrorCounter errors(reader);
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  EXPECT_NE(errors.first().find(file + ": "), std::string::npos) << errors.first();
-  EXPECT_NE(errors.first().find(word), std::string::npos) << errors.first();
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0) << word;
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0) << word;
-}
 
 void expectFaceRefused(const Change& change, const std::string& word) {
   const TemporaryFolder folder;
   const std::string file = folder.file("face.vtp");
   writeChangedFace(change, file);
-  expectRefused(file, word);
+  expectRefusedFace(file, word);
 }
 
 /// The generic face as data, changed and written.
@@ -49,7 +40,7 @@ void expectDataRefused(const std::function<void(vtkPolyData*)>& change, const st
   writer->SetFileName(folder.file("face.vtp").c_str());
   writer->SetInputData(data);
   writer->Write();
-  expectRefused(folder.file("face.vtp"), word);
+  expectRefusedFace(folder.file("face.vtp"), word);
 }
 
 /// Every so many-th point of each curve.
@@ -110,11 +101,11 @@ TEST(BoundaryCurveReader, MissingCurvesAreRefusedWithTheirName) {
 
 TEST(BoundaryCurveReader, OtherFilesAreRefused) {
   const TemporaryFolder folder;
-  expectRefused(folder.file("none.vtp"), "there is no such file");
+  expectRefusedFace(folder.file("none.vtp"), "there is no such file");
   for (const std::string text :
        {"", "2.1 lids 25 1\n", "<VTKFile type=\"PolyData\"", "<?xml version=\"1.0\"?><face/>"}) {
     writeTextFile(folder.file("text.vtp"), text);
-    expectRefused(folder.file("text.vtp"), "VTK XML");
+    expectRefusedFace(folder.file("text.vtp"), "VTK XML");
   }
   const auto pointsOnly = [](vtkPolyData* data) {
     data->SetLines(vtkNew<vtkCellArray>());

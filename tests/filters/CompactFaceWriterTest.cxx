@@ -7,6 +7,7 @@
 #include "ErrorCounter.h"
 #include "FaceFiles.h"
 #include "ReferenceData.h"
+#include "RefusedFace.h"
 #include "TemporaryFolder.h"
 #include "WholeFile.h"
 #include "TextFile.h"
@@ -48,16 +49,6 @@ mien::FaceCurves readBack(const std::string& file) {
 
 double rmsBetween(const mien::FaceCurves& a, const mien::FaceCurves& b) {
   return std::sqrt((a.curves.points - b.curves.points).rowwise().squaredNorm().mean());
-}
-
-void expectRefused(const std::string& file, const std::string& word) {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  ErrorCounter errors(reader);
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  EXPECT_NE(errors.first().find(file + ": "), std::string::npos) << errors.first();
-  EXPECT_NE(errors.first().find(word), std::string::npos) << errors.first();
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 }  // namespace
@@ -122,13 +113,13 @@ TEST(CompactFaceReader, TheFirstBytesTellTheFormatWhateverTheEnding) {
 
 TEST(CompactFaceReader, WrongFilesAreRefusedWithTheirName) {
   const TemporaryFolder folder;
-  expectRefused(folder.file("none.mienz"), "there is no such file");
+  expectRefusedFace(folder.file("none.mienz"), "there is no such file");
   for (const std::string text : {"", "MIENZ", "<VTKFile type=\"PolyData\">"}) {
     writeTextFile(folder.file("a.mienz"), text);
-    expectRefused(folder.file("a.mienz"), "copy the file again");
+    expectRefusedFace(folder.file("a.mienz"), "copy the file again");
   }
   writeTextFile(folder.file("large.mienz"), std::string(std::size_t(5) << 20, 'M'));
-  expectRefused(folder.file("large.mienz"), "larger than any compact face");
+  expectRefusedFace(folder.file("large.mienz"), "larger than any compact face");
 }
 
 TEST(CompactFaceWriter, FaultsAreErrorsAndLeaveNoFile) {

@@ -23,7 +23,7 @@ void fill(vtkPolyData* data) {
   mien::writeFaceCurves(SyntheticFace::make(), data);
 }
 
-double furthest(vtkPolyData* curves) {
+double largestDisplacement(vtkPolyData* curves) {
   return curves->GetPointData()->GetArray("Displacement")->GetMaxNorm();
 }
 
@@ -69,11 +69,11 @@ TEST(FAPAnimationFiles, AnEditedTableIsReadAgainAfterModified) {
   filter->SetFAP(31, 100.0);
   filter->Update();
   EXPECT_TRUE(filter->GetIgnoredFAPs().empty());
-  const double before = furthest(filter->GetOutput());
+  const double before = largestDisplacement(filter->GetOutput());
   writeTextFile(file, "no table");
   filter->SetFAP(31, 101.0);
   filter->Update();
-  EXPECT_GT(furthest(filter->GetOutput()), before) << "a value is no reason to look at the file";
+  EXPECT_GT(largestDisplacement(filter->GetOutput()), before) << "a value is no reason to look at the file";
   mien::PipelineErrors errors;
   errors.observe(filter);
   filter->Modified();
@@ -83,7 +83,7 @@ TEST(FAPAnimationFiles, AnEditedTableIsReadAgainAfterModified) {
   filter->Modified();
   filter->SetFAP(31, 100.0);
   filter->Update();
-  EXPECT_EQ(furthest(filter->GetOutput()), before);
+  EXPECT_EQ(largestDisplacement(filter->GetOutput()), before);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "Acquire.h"
-#include "BoundaryCurveData.h"
+#include "FaceFiles.h"
 #include "FaceLayout.h"
 #include "ReferenceData.h"
 #include "TemporaryFolder.h"
@@ -15,14 +15,6 @@
 #include "vtkSurfaceDistanceFilter.h"
 
 namespace {
-
-mien::FaceCurves genericFace() {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  reader->Update();
-  mien::FaceCurves face;
-  EXPECT_EQ(mien::readFaceCurves(reader->GetOutput(), face), "");
-  return face;
-}
 
 double frontalDistance(const std::string& scheme, const std::string& head) {
   vtkNew<vtkBoundaryCurveReader> curves;

@@ -21,10 +21,10 @@
 namespace {
 
 /// A smooth head of known shape and the curves measured on it.
-struct Head {
+struct ReducedHead {
   vtkNew<vtkPolyData> curves, scan;
 
-  explicit Head(int pointsPerCurve = 12) {
+  explicit ReducedHead(int pointsPerCurve = 12) {
     const SyntheticHead head = ellipticHead();
     const mien::TriangleMesh mesh = head.mesh();
     mien::FaceCurves face;
@@ -61,7 +61,7 @@ std::vector<Row> rowsOf(vtkTable* table, const std::string& representation) {
 /// What several tests look at is measured once.
 vtkTable* levelsOfTheHead() {
   static const vtkNew<vtkTable> table = [] {
-    const Head head;
+    const ReducedHead head;
     vtkNew<vtkLevelOfDetailFilter> filter;
     head.connect(filter);
     filter->Update();
@@ -111,7 +111,7 @@ TEST(LevelOfDetailFilter, MoreBytesAreLessErrorAndBothWaysAgree) {
 
 TEST(LevelOfDetailFilter, AFlatCutOfTheHeadIsMeasuredExactly) {
   // the scan moved out along z by 1 mm: what faces forward is 1 mm away, and nothing further
-  const Head head(10);
+  const ReducedHead head(10);
   vtkNew<vtkLevelOfDetailFilter> filter;
   head.connect(filter);
   filter->SetTolerances({1.0});
@@ -137,7 +137,7 @@ TEST(LevelOfDetailFilter, AFlatCutOfTheHeadIsMeasuredExactly) {
 }
 
 TEST(LevelOfDetailFilter, StopsWhenItIsToldTo) {
-  const Head head;
+  const ReducedHead head;
   vtkNew<vtkLevelOfDetailFilter> filter;
   head.connect(filter);
   double last = -1.0;
@@ -157,7 +157,7 @@ TEST(LevelOfDetailFilter, StopsWhenItIsToldTo) {
 }
 
 TEST(LevelOfDetailFilter, RunsAgainOnlyWhenSomethingChanged) {
-  const Head head(10);
+  const ReducedHead head(10);
   vtkNew<vtkLevelOfDetailFilter> filter;
   head.connect(filter);
   filter->SetTolerances({1.0});
@@ -184,7 +184,7 @@ TEST(LevelOfDetailFilter, RunsAgainOnlyWhenSomethingChanged) {
 }
 
 TEST(LevelOfDetailFilter, WrongInputIsAnErrorWithoutATable) {
-  const Head head(10);
+  const ReducedHead head(10);
   const auto fault = [&](const std::function<void(vtkLevelOfDetailFilter*)>& change) {
     vtkNew<vtkLevelOfDetailFilter> filter;
     ErrorCounter errors(filter);

@@ -15,7 +15,7 @@
 
 namespace {
 
-vtkSmartPointer<vtkPolyData> sphere() {
+vtkSmartPointer<vtkPolyData> sphereData() {
   vtkNew<vtkSphereSource> source;
   source->SetRadius(80.0);
   source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
@@ -63,7 +63,7 @@ std::string updateAndCatch(vtkMotionVectorFilter* filter) {
 }  // namespace
 
 TEST(MotionVectorFilter, IsTheDifferenceOfTheSurfacesExactly) {
-  const auto neutral = sphere();
+  const auto neutral = sphereData();
   const auto moved = shifted(neutral, [](vtkIdType i, double* p) {
     p[0] += 0.1 * static_cast<double>(i);
     p[1] -= 0.3 * static_cast<double>(i % 7);
@@ -97,7 +97,7 @@ TEST(MotionVectorFilter, IsTheDifferenceOfTheSurfacesExactly) {
 
 TEST(MotionVectorFilter, OneSurfaceTwiceGivesZero) {
   vtkNew<vtkMotionVectorFilter> filter;
-  const auto neutral = sphere();
+  const auto neutral = sphereData();
   filter->SetInputData(neutral);
   filter->SetNeutralData(neutral);
   filter->Update();
@@ -107,7 +107,7 @@ TEST(MotionVectorFilter, OneSurfaceTwiceGivesZero) {
 
 TEST(MotionVectorFilter, RemovesTheMotionOfTheHead) {
   vtkNew<vtkMotionVectorFilter> filter;
-  const auto neutral = sphere();
+  const auto neutral = sphereData();
   filter->SetInputData(shifted(neutral, turnAndShift));
   filter->SetNeutralData(neutral);
   filter->Update();
@@ -122,7 +122,7 @@ TEST(MotionVectorFilter, RemovesTheMotionOfTheHead) {
 
 TEST(MotionVectorFilter, ProjectsAlongTheView) {
   vtkNew<vtkMotionVectorFilter> filter;
-  const auto neutral = sphere();
+  const auto neutral = sphereData();
   filter->SetInputData(shifted(neutral, [](vtkIdType, double* p) {
     p[1] += 2.0;
     p[2] += 3.0;
@@ -138,7 +138,7 @@ TEST(MotionVectorFilter, ProjectsAlongTheView) {
 }
 
 TEST(MotionVectorFilter, RefusesOtherTopologyAndSaysWhich) {
-  const auto neutral = sphere();
+  const auto neutral = sphereData();
   vtkNew<vtkSphereSource> other;
   other->SetThetaResolution(11);
   other->Update();

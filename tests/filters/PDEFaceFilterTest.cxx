@@ -24,12 +24,12 @@ using mien::FaceCurves;
 
 namespace {
 
-struct Face {
+struct FilteredFace {
   vtkNew<vtkPolyData> curves;
   vtkNew<vtkPDEFaceFilter> filter;
   ErrorCounter errors{filter};
 
-  explicit Face(const FaceCurves& face = randomFace()) {
+  explicit FilteredFace(const FaceCurves& face = randomFace()) {
     mien::writeFaceCurves(face, curves);
     filter->SetInputData(curves);
   }
@@ -47,7 +47,7 @@ std::array<double, 3> at(vtkStructuredGrid* grid, vtkDataArray* array, int i, in
 }  // namespace
 
 TEST(PDEFaceFilter, GivesTheDocumentedGrid) {
-  Face face;
+  FilteredFace face;
   face.filter->Update();
   EXPECT_EQ(face.errors.count(), 0);
   int dimensions[3];
@@ -80,7 +80,7 @@ TEST(PDEFaceFilter, CurvaturesOfATorusComeOut) {
       const double radius = axisDistance + tube * std::sin(a);
       torus.curves.curve(c).row(j) << -radius * std::sin(v), tube * std::cos(a), -radius * std::cos(v);
     }
-  Face face(torus);
+  FilteredFace face(torus);
   face.filter->SetGenerateCurvatures(true);
   face.filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   face.filter->SetSmoothing(0.01);
@@ -104,7 +104,7 @@ TEST(PDEFaceFilter, CurvaturesOfATorusComeOut) {
 }
 
 TEST(PDEFaceFilter, CurvaturesAreThereOnlyWhenAskedFor) {
-  Face face;
+  FilteredFace face;
   face.filter->Update();
   EXPECT_EQ(face.grid()->GetPointData()->GetArray("MeanCurvature"), nullptr);
   face.filter->SetGenerateCurvatures(true);
@@ -118,13 +118,13 @@ TEST(PDEFaceFilter, CurvaturesAreThereOnlyWhenAskedFor) {
 }
 
 TEST(PDEFaceFilter, PiecesWithGhostLevelsEqualTheWhole) {
-  Face whole;
+  FilteredFace whole;
   whole.filter->SetGenerateCurvatures(true);
   whole.filter->SetGenerateDerivatives(true);
   whole.filter->Update();
   for (const int pieces : {2, 3, 7})
     for (const int ghostLevels : {0, 1, 2}) {
-      Face part;
+      FilteredFace part;
       part.filter->SetGenerateDerivatives(true);
       part.filter->SetGenerateCurvatures(true);
       std::vector<int> owned(56 * 41, 0);
@@ -151,12 +151,12 @@ TEST(PDEFaceFilter, PiecesWithGhostLevelsEqualTheWhole) {
 TEST(PDEFaceFilter, CellsThatAreNoDuplicatesMakeUpTheWholeOnce) {
   FaceCurves curves = randomFace();
   curves.features = {{"2.4", 21, M_PI + 0.6}, {"2.5", 21, M_PI - 0.6}};
-  Face whole(curves);
+  FilteredFace whole(curves);
   whole.filter->Update();
   vtkDataArray* patches = whole.grid()->GetCellData()->GetArray("PatchId");
   for (const int pieces : {2, 3, 7})
     for (const int ghostLevels : {1, 2}) {
-      Face part(curves);
+      FilteredFace part(curves);
       std::vector<int> owners(55 * 40, 0);
       int duplicates = 0;
       for (int piece = 0; piece < pieces; ++piece) {
@@ -185,7 +185,7 @@ TEST(PDEFaceFilter, CellsThatAreNoDuplicatesMakeUpTheWholeOnce) {
 TEST(PDEFaceFilter, PiecesHideTheSameCellsAsTheWhole) {
   FaceCurves curves = randomFace();
   curves.features = {{"2.4", 21, M_PI + 0.6}, {"2.5", 21, M_PI - 0.6}};
-  Face whole(curves);
+  FilteredFace whole(curves);
   whole.filter->Update();
   const auto hidden = [](vtkStructuredGrid* grid, int i, int j) {
     int ijk[3] = {i, j, 0};
@@ -195,7 +195,7 @@ TEST(PDEFaceFilter, PiecesHideTheSameCellsAsTheWhole) {
   for (int i = 0; i < 40; ++i) count += hidden(whole.grid(), i, 42);
   EXPECT_EQ(count, 8);  // 1.2 radians of 2 pi / 40 each
   for (const int ghostLevels : {0, 1}) {
-    Face part(curves);
+    FilteredFace part(curves);
     for (int piece = 0; piece < 3; ++piece) {
       part.filter->UpdatePiece(piece, 3, ghostLevels);
       int extent[6];
@@ -211,7 +211,7 @@ TEST(PDEFaceFilter, PiecesHideTheSameCellsAsTheWhole) {
 TEST(PDEFaceFilter, SlitIsHiddenBetweenTheMouthCornersOnly) {
   FaceCurves curves = randomFace();
   curves.features = {{"2.4", 21, M_PI + 0.6}, {"2.5", 21, M_PI - 0.6}};
-  Face face(curves);
+  FilteredFace face(curves);
   vtkNew<vtkGeometryFilter> geometry;
   geometry->SetInputConnection(face.filter->GetOutputPort());
   geometry->Update();
@@ -219,7 +219,7 @@ TEST(PDEFaceFilter, SlitIsHiddenBetweenTheMouthCornersOnly) {
 }
 
 TEST(PDEFaceFilter, RunsAgainOnlyWhenSomethingChanged) {
-  Face face;
+  FilteredFace face;
   int runs = 0;
   vtkNew<vtkCallbackCommand> counter;
   counter->SetClientData(&runs);
@@ -244,7 +244,7 @@ TEST(PDEFaceFilter, RunsAgainOnlyWhenSomethingChanged) {
 }
 
 TEST(PDEFaceFilter, KeptOperatorsGiveWhatNewOnesGive) {
-  Face kept;
+  FilteredFace kept;
   kept.filter->Update();
   const FaceCurves other = randomFace(40, 7);
   mien::writeFaceCurves(other, kept.curves);
@@ -252,14 +252,14 @@ TEST(PDEFaceFilter, KeptOperatorsGiveWhatNewOnesGive) {
   kept.filter->Update();
   kept.filter->SetScheme("spline");
   kept.filter->Update();
-  Face fresh(other);
+  FilteredFace fresh(other);
   fresh.filter->Update();
   for (vtkIdType i = 0; i < fresh.grid()->GetNumberOfPoints(); ++i)
     for (int c = 0; c < 3; ++c) EXPECT_EQ(kept.grid()->GetPoint(i)[c], fresh.grid()->GetPoint(i)[c]);
 }
 
 TEST(PDEFaceFilter, PrecisionIsThatAskedFor) {
-  Face single, precise;
+  FilteredFace single, precise;
   precise.filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   single.filter->Update();
   precise.filter->Update();
@@ -270,7 +270,7 @@ TEST(PDEFaceFilter, PrecisionIsThatAskedFor) {
 }
 
 TEST(PDEFaceFilter, SmoothingOfOnePatchChangesThatPatchOnly) {
-  Face one, other;
+  FilteredFace one, other;
   one.filter->SetScheme("four-curve");
   other.filter->SetScheme("four-curve");
   other.filter->SetSmoothing(4, 3.0);
@@ -290,7 +290,7 @@ TEST(PDEFaceFilter, SmoothingOfOnePatchChangesThatPatchOnly) {
 /// A face that `change` spoils is refused with a message that has `word`.
 template <class Change>
 void refused(Change change, const char* word) {
-  Face face;
+  FilteredFace face;
   change(face);
   face.filter->Update();
   EXPECT_GE(face.errors.count(), 1) << word;
@@ -299,24 +299,24 @@ void refused(Change change, const char* word) {
 }
 
 TEST(PDEFaceFilter, RefusesWhatItCannotSolveAndLeavesNoOutput) {
-  refused([](Face& f) { f.filter->SetScheme("none"); }, "four-curve");
-  refused([](Face& f) { f.filter->SetSmoothing(-1.0); }, "0 < a <= 1000");
-  refused([](Face& f) { f.filter->SetNumberOfModes(21); }, "0 .. 20");
+  refused([](FilteredFace& f) { f.filter->SetScheme("none"); }, "four-curve");
+  refused([](FilteredFace& f) { f.filter->SetSmoothing(-1.0); }, "0 < a <= 1000");
+  refused([](FilteredFace& f) { f.filter->SetNumberOfModes(21); }, "0 .. 20");
   refused(
-      [](Face& f) {
+      [](FilteredFace& f) {
         f.filter->SetScheme("four-curve");
         f.filter->SetSmoothing(50.0);
       },
       "250");
-  refused([](Face& f) { f.filter->SetResolution(10, 40); }, "11x3");
-  refused([](Face& f) { f.filter->SetResolution(56, 2000000000); }, "too fine");
-  refused([](Face& f) { f.filter->SetResolution(20000, 20000); }, "in pieces");
-  refused([](Face& f) { f.filter->SetDerivativeStrength(1e9); }, "-1000 .. 1000");
-  refused([](Face& f) { f.filter->SetDerivativeStrength(NAN); }, "-1000 .. 1000");
+  refused([](FilteredFace& f) { f.filter->SetResolution(10, 40); }, "11x3");
+  refused([](FilteredFace& f) { f.filter->SetResolution(56, 2000000000); }, "too fine");
+  refused([](FilteredFace& f) { f.filter->SetResolution(20000, 20000); }, "in pieces");
+  refused([](FilteredFace& f) { f.filter->SetDerivativeStrength(1e9); }, "-1000 .. 1000");
+  refused([](FilteredFace& f) { f.filter->SetDerivativeStrength(NAN); }, "-1000 .. 1000");
 }
 
 TEST(PDEFaceFilter, DataAfterRefusedInformationAreRefusedToo) {
-  Face face;
+  FilteredFace face;
   face.filter->SetResolution(5, 40);
   face.filter->UpdateInformation();
   face.filter->Update();
@@ -326,33 +326,33 @@ TEST(PDEFaceFilter, DataAfterRefusedInformationAreRefusedToo) {
 
 TEST(PDEFaceFilter, RefusesBrokenCurvesAndLeavesNoOutput) {
   refused(
-      [](Face& f) {
+      [](FilteredFace& f) {
         f.curves->GetPoints()->SetPoint(0, NAN, 0, 0);
         f.curves->Modified();
       },
       "not a finite");
   refused(
-      [](Face& f) {
+      [](FilteredFace& f) {
         vtkStringArray::SafeDownCast(f.curves->GetFieldData()->GetAbstractArray("Units"))->SetValue(0, "cm");
       },
       "'cm'");
   refused(
-      [](Face& f) {
+      [](FilteredFace& f) {
         f.curves->GetPoints()->SetPoint(3, NAN, 0, 0);
         f.curves->Modified();
       },
       "not a finite");
   refused(
-      [](Face& f) {
+      [](FilteredFace& f) {
         f.curves->GetPoints()->SetPoint(3, 0, -500, 0);
         f.curves->Modified();
       },
       "C1");
-  refused([](Face& f) { f.curves->Initialize(); }, "no lines");
+  refused([](FilteredFace& f) { f.curves->Initialize(); }, "no lines");
 }
 
 TEST(PDEFaceFilter, AnAbortedUpdateLeavesNoHalfOutput) {
-  Face face;
+  FilteredFace face;
   face.filter->SetResolution(2000, 2000);
   vtkNew<vtkCallbackCommand> abort;
   abort->SetCallback(
@@ -368,7 +368,7 @@ TEST(PDEFaceFilter, AnAbortedUpdateLeavesNoHalfOutput) {
 }
 
 TEST(PDEFaceFilter, CopiesParametersOfAnotherFilter) {
-  Face one, other;
+  FilteredFace one, other;
   one.filter->SetScheme("tangent");
   one.filter->SetSmoothing(3, 2.5);
   one.filter->SetNumberOfModes(7);

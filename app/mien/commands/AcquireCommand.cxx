@@ -23,7 +23,7 @@ using json = nlohmann::ordered_json;
 constexpr int smallestCurve = 8, largestCurve = 4096;  // points
 constexpr double doubtfulDepth = 1.0;  // mm; another head's landmarks seldom lie nearer: doc/decisions.md
 
-struct Options {
+struct AcquireCommandOptions {
   AcquireOptions acquire;
   ScanUnit unit;
   std::string pose = "auto";
@@ -114,7 +114,7 @@ void remark(const AcquireResult& result) {
               << ": landmarks were fitted; --landmark-output writes them, so that they can be mended\n";
 }
 
-void deliver(const Options& options, const std::vector<AcquireResult>& results) {
+void deliver(const AcquireCommandOptions& options, const std::vector<AcquireResult>& results) {
   json all = json::array();
   for (const AcquireResult& result : results) {
     remark(result);
@@ -126,7 +126,7 @@ void deliver(const Options& options, const std::vector<AcquireResult>& results) 
   if (options.json) std::cout << all.dump(2) << "\n";
 }
 
-void run(const Options& given) {
+void run(const AcquireCommandOptions& given) {
   AcquireOptions options = given.acquire;
   check(options);
   options.scan.millimetres = given.unit.millimetres();
@@ -170,7 +170,7 @@ constexpr const char* landmarkHelp =
 }  // namespace
 
 void addAcquireCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AcquireCommandOptions>();
   AcquireOptions& acquire = options->acquire;
   CLI::App* command = program.add_subcommand("acquire", "Measure the boundary curves of a face from scans of heads");
   command->add_option("scans", acquire.scans, "Scans of whole heads in any unit and pose: .ply .obj .stl .off")

@@ -24,7 +24,7 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct AdaptCommandOptions {
   std::string picture, output, scale;
   bool yDown = false, yUp = false, symmetric = false, keepTilt = false, report = false, json = false;
 };
@@ -39,7 +39,7 @@ FaceLandmarks readPicture(const std::string& name) {
   return landmarks;
 }
 
-PictureSettings settingsOf(const Options& options) {
+PictureSettings settingsOf(const AdaptCommandOptions& options) {
   PictureSettings settings;
   using Vertical = PictureSettings::Vertical;
   settings.y = options.yDown ? Vertical::Down : options.yUp ? Vertical::Up : Vertical::Recognised;
@@ -56,14 +56,14 @@ PictureSettings settingsOf(const Options& options) {
 /// A face from the front misses the generic one's proportions by 0.025, one that is turned by 30 degrees by 0.14.
 constexpr double mostMisfit = 0.08;  // eye distances
 
-void remarkMisfit(const Options& options, const PictureReport& report) {
+void remarkMisfit(const AdaptCommandOptions& options, const PictureReport& report) {
   if (report.misfit > mostMisfit)
     std::cerr << "mien: " << options.picture << ": the face seems to be turned: its landmarks lie "
               << shortestText(std::round(1000.0 * report.misfit) / 1000.0)
               << " eye distances beside a frontal face's; only a face from the front gives its true shape\n";
 }
 
-void deliver(const Options& options, const PictureReport& report) {
+void deliver(const AdaptCommandOptions& options, const PictureReport& report) {
   remarkMisfit(options, report);
   const double tilt = report.tilt * 180.0 / M_PI;
   if (options.json)
@@ -84,7 +84,7 @@ void deliver(const Options& options, const PictureReport& report) {
         report.residual);
 }
 
-void run(const Options& options) {
+void run(const AdaptCommandOptions& options) {
   requireEnding(options.output, {"vtp"});
   const PictureSettings settings = settingsOf(options);
   FaceCurves face;
@@ -101,7 +101,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addAdaptCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AdaptCommandOptions>();
   CLI::App* command =
       program.add_subcommand("adapt", "Fit the generic face to the 68 landmarks of a frontal photograph");
   command

@@ -29,7 +29,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct CompareCommandOptions {
   std::string surface, reference, units;
   ReportOptions report{{"vtp"}};
   bool frontal = false, withSign = false, skin = false, covered = false;
@@ -39,12 +39,12 @@ std::string shortName(const std::string& name) {
   return std::filesystem::path(name).filename().string();
 }
 
-std::string direction(const Options& options, int way) {
+std::string direction(const CompareCommandOptions& options, int way) {
   const std::string a = shortName(options.surface), b = shortName(options.reference);
   return way == 0 ? a + " to " + b : b + " to " + a;
 }
 
-std::vector<double> distances(const Options& options, vtkDataObject* output, double threshold) {
+std::vector<double> distances(const CompareCommandOptions& options, vtkDataObject* output, double threshold) {
   auto* surface = vtkPolyData::SafeDownCast(output);
   vtkDataArray* array = surface->GetPointData()->GetArray("Distance");
   vtkDataArray* covered = surface->GetPointData()->GetArray("Covered");
@@ -55,7 +55,7 @@ std::vector<double> distances(const Options& options, vtkDataObject* output, dou
   return values;
 }
 
-Report reportOf(const Options& options, vtkSurfaceDistanceFilter* filter) {
+Report reportOf(const CompareCommandOptions& options, vtkSurfaceDistanceFilter* filter) {
   Report report;
   report.json = {
       {"a", options.surface}, {"b", options.reference}, {"frontal", options.frontal}, {"covered", options.covered}};
@@ -82,7 +82,7 @@ Report reportOf(const Options& options, vtkSurfaceDistanceFilter* filter) {
   return report;
 }
 
-const LengthUnit* unitOf(const Options& options) {
+const LengthUnit* unitOf(const CompareCommandOptions& options) {
   if (options.units.empty()) return nullptr;
   const LengthUnit* unit = lengthUnit(options.units);
   if (!unit) throw ValueFailure("--units '" + options.units + "' is unknown; it is mm, cm, m or inch");
@@ -102,7 +102,7 @@ void scale(vtkDataObject* mesh, double factor) {
 }
 
 /// Two surfaces of heads differ by less than this unless their lengths are in different units.
-void remarkOnSizes(const Options& options, vtkDataObject* surface, vtkDataObject* reference) {
+void remarkOnSizes(const CompareCommandOptions& options, vtkDataObject* surface, vtkDataObject* reference) {
   constexpr double suspicious = 5.0;
   const double a = vtkPointSet::SafeDownCast(surface)->GetLength(),
                b = vtkPointSet::SafeDownCast(reference)->GetLength();
@@ -112,7 +112,7 @@ void remarkOnSizes(const Options& options, vtkDataObject* surface, vtkDataObject
             << " mm; are both in mm? --units mm|cm|m|inch says what B is in\n";
 }
 
-void run(const Options& options) {
+void run(const CompareCommandOptions& options) {
   options.report.check();
   const auto surface = readMesh(options.surface), reference = readMesh(options.reference);
   if (const LengthUnit* unit = unitOf(options)) scale(reference, unit->millimetres);
@@ -136,7 +136,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addCompareCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareCommandOptions>();
   CLI::App* command = program.add_subcommand("compare", "Measure the distance between two surfaces, both ways");
   command->add_option("a", options->surface, "Surface, .vts .vtp .ply .obj .stl .off, mm")->required();
   command->add_option("b", options->reference, "The one it is compared with")->required();

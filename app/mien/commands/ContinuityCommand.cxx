@@ -26,7 +26,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct ContinuityCommandOptions {
   MeasuredFace face;
   ReportOptions report{{"vtp"}};
   ContinuityChoice choice;
@@ -128,7 +128,7 @@ void measureScheme(const MeasuredFace& face, const std::string& scheme, const Co
   for (const std::string& name : files.outputs("vtp")) writePolyData(filter->GetOutput(), name);
 }
 
-void run(Options& options) {
+void run(ContinuityCommandOptions& options) {
   options.report.check();
   options.face.update();
   if (options.face.schemes().size() > 1 && !options.report.outputs("vtp").empty())
@@ -154,7 +154,7 @@ Report continuityReport(const MeasuredFace& face, const ContinuityChoice& choice
 }
 
 void addContinuityCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ContinuityCommandOptions>();
   CLI::App* command = program.add_subcommand("continuity", "Measure how smoothly the patches of a face meet");
   options->report.addTo(*command);
   command->add_option("--samples", options->choice.samples, "Per seam")

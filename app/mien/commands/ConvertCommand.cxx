@@ -32,7 +32,7 @@ namespace {
 constexpr double roundedTo = 1e6;       // parts of a FAP unit, of values that were computed
 constexpr double largestRounded = 1e9;  // larger values have no digits to lose
 
-struct Options {
+struct ConvertCommandOptions {
   std::string input, output, from, to, fps, map, start;
 };
 
@@ -53,7 +53,7 @@ const Target targets[] = {{"fap", {}},
                           {"openface", CaptureStyle::OpenFace},
                           {"arkit", CaptureStyle::LiveLinkFace}};
 
-std::optional<AnimationFormat> chooseSource(const Options& options) {
+std::optional<AnimationFormat> chooseSource(const ConvertCommandOptions& options) {
   for (const auto& [name, format] : sources)
     if (options.from == name) return format;
   if (!options.from.empty())
@@ -62,7 +62,7 @@ std::optional<AnimationFormat> chooseSource(const Options& options) {
 }
 
 /// By --to, else by the ending: FAPs as they are.
-Target chooseTarget(const Options& options) {
+Target chooseTarget(const ConvertCommandOptions& options) {
   for (const Target& target : targets)
     if (options.to == target.name) return target;
   if (!options.to.empty())
@@ -98,7 +98,7 @@ void roundValues(FAPSequence& sequence) {
     for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap) frame.setValue(fap, round(frame.value(fap)));
 }
 
-FAPSequence readInput(const Options& options, const FacialActionMap& map) {
+FAPSequence readInput(const ConvertCommandOptions& options, const FacialActionMap& map) {
   const std::string name = shownAnimationName(options.input);
   std::string text;
   FAPSequence sequence;
@@ -131,7 +131,7 @@ bool keepsStart(const Target& target) {
   return target.capture ? *target.capture == CaptureStyle::LiveLinkFace : std::string(target.name) == "fap-csv";
 }
 
-std::optional<double> chooseStart(const Options& options, const Target& target) {
+std::optional<double> chooseStart(const ConvertCommandOptions& options, const Target& target) {
   if (options.start.empty()) return std::nullopt;
   if (!keepsStart(target))
     throw ValueFailure(std::string("--start: the format ") + target.name +
@@ -180,7 +180,7 @@ std::string textOf(FAPSequence sequence, const Target& target, const FacialActio
   return text;
 }
 
-void run(const Options& options) {
+void run(const ConvertCommandOptions& options) {
   const Target target = chooseTarget(options);
   const double rate = chooseRate(options.fps);
   const std::optional<double> start = chooseStart(options, target);
@@ -206,7 +206,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addConvertCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ConvertCommandOptions>();
   CLI::App* command =
       program.add_subcommand("convert", "Turn animations into each other: .fap, tables of FAPs, FACS, ARKit");
   command->add_option("input", options->input, "FILE.fap or FILE.csv; - is standard input")->required();

@@ -19,7 +19,7 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct CurvesCommandOptions {
   FaceOptions face;
   CompactFaceOutput compact;
   std::string output;
@@ -41,13 +41,13 @@ void writeTable(vtkPolyData* data, const std::string& name) {
   OutputFile::write(name, curveTable(face.curves));
 }
 
-void write(const Options& options, vtkPolyData* curves) {
+void write(const CurvesCommandOptions& options, vtkPolyData* curves) {
   const std::string ending = fileEnding(options.output);
   if (ending == "csv") return writeTable(curves, options.output);
   ending == "mienz" ? options.compact.write(curves, options.output) : writePolyData(curves, options.output);
 }
 
-void run(const Options& options) {
+void run(const CurvesCommandOptions& options) {
   requireEnding(options.output, {"vtp", "csv", "mienz"});
   options.compact.check();
   FacePipeline pipeline;
@@ -61,7 +61,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addCurvesCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CurvesCommandOptions>();
   CLI::App* command = program.add_subcommand("curves", "Write the boundary curves of a face, animated or not");
   command->add_option("-o,--output", options->output, "File to write: .vtp .csv .mienz")->required();
   options->face.addAll(*command);

@@ -26,7 +26,7 @@ struct EditText {
   bool mirrored = false;
 };
 
-struct Options {
+struct EditCommandOptions {
   std::string face, output;
   std::vector<std::string> curve, v, feature, move, width,
       spread;  ///< as CLI11 collects them; their order is in parse_order()
@@ -118,7 +118,7 @@ FaceCurves neutralFace(FacePipeline& pipeline) {
   return face;
 }
 
-void run(const Options& options, const CLI::App& command) {
+void run(const EditCommandOptions& options, const CLI::App& command) {
   requireEnding(options.output, {"vtp"});
   FacePipeline pipeline;
   FaceState state;
@@ -138,7 +138,7 @@ void run(const Options& options, const CLI::App& command) {
 }  // namespace
 
 void addEditCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EditCommandOptions>();
   CLI::App* command = program.add_subcommand("edit", "Move points of boundary curves by hand, with a smooth fall-off");
   const auto add = [&](const char* name, std::vector<std::string>& values, const char* help) {
     command->add_option(name, values, help)

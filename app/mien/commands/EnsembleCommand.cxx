@@ -25,7 +25,7 @@ using json = nlohmann::ordered_json;
 constexpr double trialSeconds = 2.0;  // what --dry-run computes for its estimate
 constexpr int mostThreads = 1024;
 
-struct Options {
+struct EnsembleCommandOptions {
   std::string study, output;
   int threads = 0, rank = 0, ranks = 0;
   bool join = false, dryRun = false, json = false;
@@ -33,12 +33,12 @@ struct Options {
   bool isShared() const { return ranks > 0; }
 };
 
-int threadsOf(const Options& options) {
+int threadsOf(const EnsembleCommandOptions& options) {
   if (options.threads > 0) return options.threads;
   return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
-void check(const Options& options) {
+void check(const EnsembleCommandOptions& options) {
   if (!options.dryRun && options.output.empty()) throw ValueFailure("-o is missing; name the table, as -o table.csv");
   if (!options.output.empty()) requireEnding(options.output, {"csv"});
   if (options.join && options.isShared())
@@ -48,12 +48,12 @@ void check(const Options& options) {
                        std::to_string(options.ranks - 1) + ", the ranks of --ranks " + std::to_string(options.ranks));
 }
 
-StudyRun::Share shareOf(const Options& options) {
+StudyRun::Share shareOf(const EnsembleCommandOptions& options) {
   return {options.rank, std::max(1, options.ranks), threadsOf(options)};
 }
 
 /// Computes what is missing and appends it. @return how many cases
-std::int64_t compute(StudyTableRun& opened, const Options& options) {
+std::int64_t compute(StudyTableRun& opened, const EnsembleCommandOptions& options) {
   ProgressLine line;
   const StudyTableRun::Outcome outcome = opened.compute(options.output, shareOf(options), [&line](double share) {
     line.showShare(share);
@@ -85,11 +85,11 @@ double secondsPerCase(StudyTableRun& opened) {
   return seconds() / static_cast<double>(computed);
 }
 
-void tell(const Options& options, const json& facts, const std::string& sentence) {
+void tell(const EnsembleCommandOptions& options, const json& facts, const std::string& sentence) {
   std::cout << (options.json ? facts.dump(2) : sentence) << "\n";
 }
 
-void tryOut(StudyTableRun& opened, const Options& options) {
+void tryOut(StudyTableRun& opened, const EnsembleCommandOptions& options) {
   const std::int64_t count = opened.caseCount(), left = opened.leftOf(shareOf(options));
   const double each = secondsPerCase(opened);
   const double whole = each * static_cast<double>(left) / threadsOf(options);
@@ -103,7 +103,7 @@ void tryOut(StudyTableRun& opened, const Options& options) {
            ProgressLine::readableTime(whole) + " in " + std::to_string(threadsOf(options)) + " threads");
 }
 
-void tellOfShare(const StudyTableRun& opened, const Options& options, std::int64_t computed) {
+void tellOfShare(const StudyTableRun& opened, const EnsembleCommandOptions& options, std::int64_t computed) {
   const std::string part = StudyTableRun::partOf(options.output, shareOf(options));
   tell(options, {{"part", part}, {"computed", computed}, {"study_complete", opened.isComplete()}},
        part + ": " + std::to_string(computed) + " cases computed now; " +
@@ -111,7 +111,7 @@ void tellOfShare(const StudyTableRun& opened, const Options& options, std::int64
 }
 
 /// The finished table, from all that ranks and earlier runs have done.
-void finish(const StudyTableRun& opened, const Options& options, std::int64_t computed) {
+void finish(const StudyTableRun& opened, const EnsembleCommandOptions& options, std::int64_t computed) {
   const std::int64_t count = opened.caseCount();
   if (!opened.isComplete())
     throw FileFailure(options.output + ": " + std::to_string(opened.missing()) + " of " + std::to_string(count) +
@@ -121,7 +121,7 @@ void finish(const StudyTableRun& opened, const Options& options, std::int64_t co
        options.output + ": " + std::to_string(count) + " cases, " + std::to_string(computed) + " computed now");
 }
 
-void run(const Options& options) try {
+void run(const EnsembleCommandOptions& options) try {
   check(options);
   noteInterruptions();
   StudyTableRun opened(options.study, [] { return !wasInterrupted(); });
@@ -138,7 +138,7 @@ void run(const Options& options) try {
 }  // namespace
 
 void addEnsembleCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EnsembleCommandOptions>();
   CLI::App* command = program.add_subcommand("ensemble", "Measure every case of a study in one table");
   command->add_option("study", options->study, "Faces, schemes, a, N, expressions, frames and measures: STUDY.json")
       ->required();

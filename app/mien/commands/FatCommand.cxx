@@ -23,12 +23,12 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct FatCommandOptions {
   std::string file, face;
   bool json = false;
 };
 
-FaceCurves readFace(const std::string& fileName) {
+FaceCurves readBoundaryCurves(const std::string& fileName) {
   vtkNew<vtkBoundaryCurveReader> reader;
   PipelineErrors errors;
   errors.observe(reader);
@@ -76,10 +76,10 @@ json describeContents(const AnimationTable& table) {
 }
 
 /// Binds the table to the face: the FAPs that this face leaves out, as it lacks their feature point.
-json describeBinding(const AnimationTable& table, const Options& options) {
+json describeBinding(const AnimationTable& table, const FatCommandOptions& options) {
   FaceAnimator animator;
   const std::string name = options.face.empty() ? "generic face" : options.face;
-  const std::string fault = animator.bind(readFace(options.face), table);
+  const std::string fault = animator.bind(readBoundaryCurves(options.face), table);
   if (!fault.empty()) throw FileFailure(options.file + ": on the " + name + ": " + fault);
   json leftOut = json::array();
   for (const AnimationEntry& entry : table.entries())
@@ -99,7 +99,7 @@ void print(const json& description) {
   printLine("left out there", joined(description["left_out"]));
 }
 
-void check(const Options& options) {
+void check(const FatCommandOptions& options) {
   AnimationTable table;
   const std::string fault = readAnimationTable(options.file, table);
   if (!fault.empty()) throw FileFailure(fault);
@@ -117,7 +117,7 @@ void check(const Options& options) {
 void addFatCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("fat", "Animation tables: which points of the curves each FAP moves");
   command->require_subcommand(1);
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FatCommandOptions>();
   CLI::App* checking = command->add_subcommand("check", "Tell what a table holds, or what is wrong with it");
   checking->add_option("file", options->file, "Animation table, FILE.json")->required();
   checking->add_option("--face", options->face, "Boundary curves it must serve, FILE.vtp [the generic face]");

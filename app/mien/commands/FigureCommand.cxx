@@ -34,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct FigureCommandOptions {
   FaceOptions face;
   FigureOptions figure{"170"};
   std::string id, output, from, format = "svg", frames;
@@ -43,7 +43,7 @@ struct Options {
   const CLI::App* command = nullptr;
 };
 
-FigureSettings settingsOf(const Options& options) {
+FigureSettings settingsOf(const FigureCommandOptions& options) {
   FigureSettings settings;
   settings.width = options.figure.width();
   settings.dotsPerInch = options.figure.dotsPerInch();
@@ -57,7 +57,7 @@ FigureSettings settingsOf(const Options& options) {
 }
 
 /// The command that draws one figure, with the face and figure options of this run that it heeds.
-std::string commandFor(const Options& options, const CatalogueFigure& figure) {
+std::string commandFor(const FigureCommandOptions& options, const CatalogueFigure& figure) {
   std::set<std::string> without = {"--output", "--all", "--from", "--format", "--list"};
   if (!figure.heeds.motion)
     without.insert({"--fap", "--frame", "--index", "--time", "--expression", "--viseme", "--set"});
@@ -81,7 +81,7 @@ void remarkIgnored(const CatalogueFigure& figure, const std::string& remark, boo
   std::cerr << "mien: " << figure.id << " " << remark << "; " << figuresWith(heeds) << " do\n";
 }
 
-void requireWidth(const Options& options, const CatalogueFigure& figure) {
+void requireWidth(const FigureCommandOptions& options, const CatalogueFigure& figure) {
   if (options.figure.width() < figure.leastWidth)
     throw ValueFailure("--width " + shortestText(options.figure.width()) + " mm is too narrow for " + figure.id +
                        ", which needs at least " + shortestText(figure.leastWidth) + " mm");
@@ -95,7 +95,7 @@ void requireFace(const FaceState& state) {
 }
 
 /// Says which options this figure has no use for.
-void remarkUnused(const Options& options, const FaceState& state, const CatalogueFigure& figure) {
+void remarkUnused(const FigureCommandOptions& options, const FaceState& state, const CatalogueFigure& figure) {
   FaceState still = FaceMotion::neutralOf(state);
   still.deformation = state.deformation;
   if (still != state && !figure.heeds.motion)
@@ -120,7 +120,7 @@ void remarkUnused(const Options& options, const FaceState& state, const Catalogu
 }
 
 /// A figure that is higher than a page is of no use in a paper.
-void remarkHeight(const Options& options, const CatalogueFigure& figure, const QSizeF& size) {
+void remarkHeight(const FigureCommandOptions& options, const CatalogueFigure& figure, const QSizeF& size) {
   constexpr double page = 240.0;  // mm
   const int height = static_cast<int>(std::lround(size.height() / figureUnitsPerMillimetre));
   constexpr double widest = 170.0;  // mm, of a page
@@ -132,7 +132,7 @@ void remarkHeight(const Options& options, const CatalogueFigure& figure, const Q
 }
 
 /// @return what was drawn
-FigureDrawing write(const Options& options, FigureContext& context, const CatalogueFigure& figure,
+FigureDrawing write(const FigureCommandOptions& options, FigureContext& context, const CatalogueFigure& figure,
                     const std::string& name) {
   const std::string command = commandFor(options, figure);
   context.begin(figure);
@@ -143,7 +143,7 @@ FigureDrawing write(const Options& options, FigureContext& context, const Catalo
   return drawing;
 }
 
-void drawOne(const Options& options) {
+void drawOne(const FigureCommandOptions& options) {
   requireEnding(options.output, {"svg", "pdf", "png"});
   const OutputFile writable(options.output);
   const CatalogueFigure& figure = catalogueFigure(options.id);
@@ -167,7 +167,8 @@ void makeFolder(const std::string& folder) {
 /// Draws a figure into the folder and adds it to the page.
 ///
 /// @return whether its files allowed that; the reason is said
-bool drawInto(const Options& options, FigureContext& context, const CatalogueFigure& figure, FigureGallery& gallery) {
+bool drawInto(const FigureCommandOptions& options, FigureContext& context, const CatalogueFigure& figure,
+              FigureGallery& gallery) {
   const std::string file = figure.id + "." + options.format;
   FigureDrawing drawing;
   try {
@@ -187,7 +188,7 @@ bool drawInto(const Options& options, FigureContext& context, const CatalogueFig
 }
 
 /// @return how many could not be drawn
-int drawEach(const Options& options, FigureContext& context, FigureGallery& gallery) {
+int drawEach(const FigureCommandOptions& options, FigureContext& context, FigureGallery& gallery) {
   const int count = static_cast<int>(figureCatalogue().size());
   const bool onTerminal = isatty(STDERR_FILENO) != 0;
   ProgressLine progress(count, "figure");
@@ -203,7 +204,7 @@ int drawEach(const Options& options, FigureContext& context, FigureGallery& gall
   return failed;
 }
 
-void drawAll(const Options& options) {
+void drawAll(const FigureCommandOptions& options) {
   makeFolder(options.output);
   const FigureApplication application;
   FigureContext context(options.face.state(), settingsOf(options));
@@ -243,7 +244,7 @@ std::vector<std::string> withNewOptions(const std::vector<std::string>& words, c
 }
 
 /// Runs the command that a figure carries, with another output and the options that were given beside --from.
-void drawAgain(const Options& options) {
+void drawAgain(const FigureCommandOptions& options) {
   FigureMetadata metadata;
   const std::string fault = metadata.read(options.from);
   if (!fault.empty()) throw FileFailure(fault);
@@ -276,7 +277,7 @@ void requireTexture(const std::string& texture) {
     throw FileFailure(mesh + ": there is no such warp mesh; mien texture makes one, to be named as IMAGE:MESH.csv");
 }
 
-void run(const Options& options) {
+void run(const FigureCommandOptions& options) {
   options.figure.check();
   if (options.format != "svg" && options.format != "pdf" && options.format != "png")
     throw ValueFailure("--format '" + options.format + "' is none of svg, pdf, png");
@@ -295,7 +296,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addFigureCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FigureCommandOptions>();
   CLI::App* command = program.add_subcommand("figure", "Draw a figure of the papers, or all");
   options->command = command;
   command->add_option("figure", options->id, "Which one: pde-1 .., fdt-2 .., mien-sweep ..; --list shows all");

@@ -23,7 +23,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct InfluenceCommandOptions {
   MeasuredFace face;
   ReportOptions report{{"vts"}};
   std::string curve = "C10", point, direction = "0,0,1";
@@ -33,7 +33,7 @@ json finite(double value) {
   return std::isfinite(value) ? json(value) : json(nullptr);
 }
 
-void setOptions(const Options& options, vtkPDEInfluenceFilter* filter) {
+void setOptions(const InfluenceCommandOptions& options, vtkPDEInfluenceFilter* filter) {
   const std::vector<std::string> parts = splitText(options.direction, ',');
   if (parts.size() != 3)
     throw ValueFailure("--direction '" + options.direction + "' is no vector; write three numbers as 0,0,1");
@@ -47,7 +47,7 @@ void setOptions(const Options& options, vtkPDEInfluenceFilter* filter) {
 }
 
 /// "C10 moves" or "point 3 of C10 moves".
-std::string movement(const Options& options) {
+std::string movement(const InfluenceCommandOptions& options) {
   return (options.point.empty() ? "" : "point " + options.point + " of ") + options.curve + " moves";
 }
 
@@ -59,7 +59,7 @@ double movedPosition(const std::string& curve) {
   return 1.0;
 }
 
-InfluenceProfile measureScheme(const Options& options, const std::string& scheme, Report& report) {
+InfluenceProfile measureScheme(const InfluenceCommandOptions& options, const std::string& scheme, Report& report) {
   vtkNew<vtkPDEInfluenceFilter> filter;
   PipelineErrors errors;
   errors.observe(filter);
@@ -87,7 +87,7 @@ InfluenceProfile measureScheme(const Options& options, const std::string& scheme
   return profile;
 }
 
-void run(Options& options) {
+void run(InfluenceCommandOptions& options) {
   options.report.check();
   options.face.update();
   if (options.face.schemes().size() > 1 && !options.report.outputs("vts").empty())
@@ -110,7 +110,7 @@ void run(Options& options) {
 }  // namespace
 
 void addInfluenceCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InfluenceCommandOptions>();
   options->face.setDefaultResolution(164, 80);  // six rows between curves: the profile is smooth
   CLI::App* command =
       program.add_subcommand("influence", "Measure how the effect of one curve's move fades over a face");

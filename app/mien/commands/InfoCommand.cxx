@@ -36,7 +36,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct InfoCommandOptions {
   FaceOptions face;
   std::string file;
   bool json = false;
@@ -44,7 +44,7 @@ struct Options {
 
 constexpr int bytesPerCoordinate = 4;  // curves are kept and sent as single precision
 
-FaceCurves neutralFace(const FacePipeline& pipeline) {
+FaceCurves knownNeutralFace(const FacePipeline& pipeline) {
   FaceCurves face;
   const std::string fault = readFaceCurves(pipeline.neutralCurves()->GetOutput(), face);
   if (!fault.empty()) throw FileFailure(fault);
@@ -90,7 +90,7 @@ std::uintmax_t fileSize(const std::string& name) {
 
 json describeFace(const FacePipeline& pipeline) {
   const FaceState& state = pipeline.state();
-  const FaceCurves face = neutralFace(pipeline);
+  const FaceCurves face = knownNeutralFace(pipeline);
   const std::string name = state.curvesFile.empty() ? "generic face" : state.curvesFile;
   json description;
   description["name"] = name;
@@ -140,7 +140,7 @@ void printFace(const json& face) {
   printLine("curves missed", joined(face["curves_missed"]));
 }
 
-json aboutFace(const Options& options) {
+json aboutFace(const InfoCommandOptions& options) {
   FaceOptions face = options.face;
   if (!options.file.empty()) face.setDefaultFace(options.file);
   FacePipeline pipeline;
@@ -149,7 +149,7 @@ json aboutFace(const Options& options) {
 }
 
 /// In how many frames lips or lids of the face would cross, were they not kept apart.
-json describeContact(const Options& options) {
+json describeContact(const InfoCommandOptions& options) {
   FaceOptions face = options.face;
   face.setAnimation(options.file);
   FacePipeline pipeline;
@@ -168,25 +168,25 @@ json describeContact(const Options& options) {
 }
 
 /// A kind of file that a describer of its own knows.
-struct Kind {
+struct InfoKind {
   const char* name;                           ///< of the object in JSON
   json (*describe)(const std::string& file);  ///< null for other files
   void (*print)(const json& about);
 };
 
-constexpr Kind kinds[] = {{"table", describeTableFile, printTableFile},
-                          {"scan", describeScanFile, printScanFile},
-                          {"picture", describePictureFile, printPictureFile}};
+constexpr InfoKind kinds[] = {{"table", describeTableFile, printTableFile},
+                              {"scan", describeScanFile, printScanFile},
+                              {"picture", describePictureFile, printPictureFile}};
 
-void deliver(const Options& options, const char* name, const json& about, void (*print)(const json&)) {
+void deliver(const InfoCommandOptions& options, const char* name, const json& about, void (*print)(const json&)) {
   if (options.json)
     std::cout << json{{name, about}}.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
   else
     print(about);
 }
 
-void run(const Options& options) {
-  for (const Kind& kind : kinds) {
+void run(const InfoCommandOptions& options) {
+  for (const InfoKind& kind : kinds) {
     const json about = kind.describe(options.file);
     if (!about.is_null()) return deliver(options, kind.name, about, kind.print);
   }
@@ -200,7 +200,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addInfoCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<InfoCommandOptions>();
   CLI::App* command = program.add_subcommand("info", "Tell what a file or the generic face holds");
   command->add_option(
       "file", options->file,

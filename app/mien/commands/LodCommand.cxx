@@ -36,7 +36,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct LodCommandOptions {
   std::string scan, landmarks, tolerances = "0.05,0.1,0.2,0.5,1,2,4", points = "40", spacing = "2";
   ScanUnit unit;
   FaceOptions face;
@@ -48,7 +48,7 @@ constexpr long long gzipFrame = 12;  // bytes that gzip's header and trailer are
 /// The scan, and its curves: from --face, which must be in the frame of the scan, or measured as by mien acquire.
 class MeasuredScan {
  public:
-  explicit MeasuredScan(const Options& options) {
+  explicit MeasuredScan(const LodCommandOptions& options) {
     for (vtkAlgorithm* algorithm : std::initializer_list<vtkAlgorithm*>{scan_, acquisition_, reader_})
       errors_.observe(algorithm);
     scan_->SetFileName(options.scan.c_str());
@@ -65,7 +65,7 @@ class MeasuredScan {
   FaceCurves face;
 
  private:
-  void acquire(const Options& options) {
+  void acquire(const LodCommandOptions& options) {
     acquisition_->SetInputConnection(scan_->GetOutputPort());
     if (!options.landmarks.empty()) acquisition_->SetLandmarkFileName(options.landmarks.c_str());
     acquisition_->SetPointsPerCurve(parseWholeNumber("--points", options.points));
@@ -126,7 +126,7 @@ long long zippedSize(const std::string& file) {
 }
 
 /// The scan as a file goes before the levels; of the scan itself there is no distance.
-json rowsOf(const Options& options, vtkTable* table) {
+json rowsOf(const LodCommandOptions& options, vtkTable* table) {
   json rows = json::array(), levels = tableRows(table);
   const std::string name = std::filesystem::path(options.scan).filename().string();
   rows.push_back(
@@ -154,7 +154,7 @@ std::vector<DetailPoint> pointsOf(const json& rows) {
   return points;
 }
 
-std::string noteOf(const Options& options, const FaceSurfaceOptions& surface, int pointsPerCurve) {
+std::string noteOf(const LodCommandOptions& options, const FaceSurfaceOptions& surface, int pointsPerCurve) {
   std::string a;
   for (const double value : surface.smoothing) a += (a.empty() ? "" : ", ") + shortestText(value);
   const bool uniform = std::all_of(surface.smoothing.begin(), surface.smoothing.end(),
@@ -165,7 +165,7 @@ std::string noteOf(const Options& options, const FaceSurfaceOptions& surface, in
          "; points with z > 50 mm; Mien " MIEN_VERSION;
 }
 
-Report reportOf(const Options& options, vtkTable* table, int pointsPerCurve) {
+Report reportOf(const LodCommandOptions& options, vtkTable* table, int pointsPerCurve) {
   Report report;
   report.rows = rowsOf(options, table);
   report.readable = json::array();
@@ -194,7 +194,7 @@ Report reportOf(const Options& options, vtkTable* table, int pointsPerCurve) {
   return report;
 }
 
-void run(const Options& options) {
+void run(const LodCommandOptions& options) {
   options.report.check();
   const FaceState state = options.face.state();
   if (!state.curvesFile.empty() && options.unit.millimetres() > 0.0)
@@ -223,7 +223,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addLodCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<LodCommandOptions>();
   CLI::App* command = program.add_subcommand("lod", "Compare levels of detail of a scanned head: bytes against error");
   command->add_option("scan", options->scan, "Scan of a head: .ply .obj .stl .off; in mm with --face")->required();
   command->add_option("--landmarks", options->landmarks,

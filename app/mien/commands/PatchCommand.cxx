@@ -23,24 +23,14 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct PatchCommandOptions {
   std::string curves, output, resolution = "40x40", smoothing = "1", harmonics = "5", precision = "single";
   std::vector<std::string> conditions;
   bool noRemainder = false;
 };
 
-bool isTable(const Options& options) {
-  return fileEnding(options.output) == "csv";
-}
-
-void checkOutput(const std::string& name) {
-  std::vector<std::string> endings = surfaceEndings();
-  endings.push_back("csv");
-  requireEnding(name, endings);
-}
-
 /// The boundary curves of a compact face file.
-vtkSmartPointer<vtkPolyData> readFace(const std::string& name) {
+vtkSmartPointer<vtkPolyData> readCompactFace(const std::string& name) {
   vtkNew<vtkBoundaryCurveReader> reader;
   PipelineErrors errors;
   errors.observe(reader);
@@ -51,7 +41,7 @@ vtkSmartPointer<vtkPolyData> readFace(const std::string& name) {
 }
 
 vtkSmartPointer<vtkPolyData> readCurves(const std::string& name) {
-  if (isCompactFaceFile(name)) return readFace(name);
+  if (isCompactFaceFile(name)) return readCompactFace(name);
   vtkNew<vtkXMLPolyDataReader> reader;
   const std::string unreadable = readXMLDataFile(name, reader);
   if (!unreadable.empty()) throw FileFailure(unreadable);
@@ -70,19 +60,19 @@ void addConditions(const std::vector<std::string>& conditions, vtkPDEPatchFilter
   }
 }
 
-void setOptions(const Options& options, vtkPDEPatchFilter* patch) {
+void setOptions(const PatchCommandOptions& options, vtkPDEPatchFilter* patch) {
   addConditions(options.conditions, patch);
   patch->SetSmoothing(parseNumber("-a", options.smoothing));
   patch->SetNumberOfModes(parseWholeNumber("--harmonics", options.harmonics));
   patch->SetRemainder(!options.noRemainder);
   const auto [rows, columns] = parseSize("--resolution", options.resolution);
   patch->SetResolution(rows, columns);
-  const bool doublePrecision = options.precision == "double" || isTable(options);
+  const bool doublePrecision = options.precision == "double" || isTable(options.output);
   patch->SetOutputPointsPrecision(doublePrecision ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::SINGLE_PRECISION);
 }
 
-void run(const Options& options) {
-  checkOutput(options.output);
+void run(const PatchCommandOptions& options) {
+  requireSurfaceOrTable(options.output);
   vtkNew<vtkPDEPatchFilter> patch;
   setOptions(options, patch);
   PipelineErrors errors;
@@ -90,7 +80,7 @@ void run(const Options& options) {
   patch->SetInputData(readCurves(options.curves));
   patch->Update();
   if (!errors.first().empty()) throw ValueFailure(options.curves + ": " + errors.first());
-  if (isTable(options))
+  if (isTable(options.output))
     OutputFile::write(options.output, patchTable(patch->GetOutput()));
   else
     writeSurface(patch->GetOutput(), options.output);
@@ -99,7 +89,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addPatchCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PatchCommandOptions>();
   CLI::App* command = program.add_subcommand("patch", "Write one PDE patch between any closed curves");
   command->add_option("curves", options->curves, "Closed polylines of equal length, FILE.vtp, or a face, FILE.mienz")
       ->required();

@@ -12,7 +12,7 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct ReferenceCommandOptions {
   std::string format = "markdown", output;
 };
 
@@ -24,7 +24,7 @@ using Writer = std::string (*)(const CommandDescription&);
 const std::map<std::string, Writer> writers = {
     {"markdown", markdownReference}, {"man", manualPageOfThis}, {"bash", bashCompletion}, {"zsh", zshCompletion}};
 
-void run(const CLI::App& program, const Options& options) {
+void run(const CLI::App& program, const ReferenceCommandOptions& options) {
   const std::string text = writers.at(options.format)(describeCommand(program));
   if (options.output.empty())
     std::cout << text;
@@ -37,7 +37,7 @@ void run(const CLI::App& program, const Options& options) {
 void addReferenceCommand(CLI::App& program) {
   CLI::App* command = program.add_subcommand("reference", "Print the reference of all commands");
   command->group("");  // for those who build and package Mien
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReferenceCommandOptions>();
   command
       ->add_option("--format", options->format,
                    "A page in Markdown, a manual page, or a script that completes commands in a shell")

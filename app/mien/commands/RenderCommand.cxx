@@ -21,14 +21,14 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct RenderCommandOptions {
   FaceOptions face;
   RenderOptions picture{"1000x1000"};
   std::string mesh, output;
 };
 
 /// A mesh from a file, which nothing of the face's options moves or paints.
-void drawMesh(const Options& options) {
+void drawMesh(const RenderCommandOptions& options) {
   const SceneStyle style = options.picture.style();
   if (options.face.state() != FaceOptions().state() || style.curves)
     throw ValueFailure(options.mesh +
@@ -40,7 +40,7 @@ void drawMesh(const Options& options) {
   writePNG(scene.render(), options.output, {{"Software", "Mien " MIEN_VERSION}});
 }
 
-void run(const Options& options) {
+void run(const RenderCommandOptions& options) {
   requireEnding(options.output, {"png"});
   if (!options.mesh.empty()) return drawMesh(options);
   const SceneStyle style = options.picture.style();
@@ -61,7 +61,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addRenderCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderCommandOptions>();
   CLI::App* command = program.add_subcommand("render", "Draw a face, or a mesh as it is");
   command->add_option("mesh", options->mesh, "Mesh to draw in place of the face: .ply .obj .stl .off .vtp .vts");
   command->add_option("-o,--output", options->output, "File to write: .png")->required();

@@ -19,7 +19,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct SpectrumCommandOptions {
   MeasuredFace face;
   ReportOptions report;
   std::string toleranceText;
@@ -89,7 +89,7 @@ SchemeSpectrum measureScheme(const MeasuredFace& face, const std::string& scheme
   return spectrum;
 }
 
-void run(Options& options) {
+void run(SpectrumCommandOptions& options) {
   options.report.check();
   std::optional<double> tolerance;  // mm
   if (!options.toleranceText.empty()) tolerance = parseMillimetres("--tolerance", options.toleranceText);
@@ -118,7 +118,7 @@ Report spectrumReport(const MeasuredFace& face, const std::optional<double>& tol
 }
 
 void addSpectrumCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SpectrumCommandOptions>();
   CLI::App* command = program.add_subcommand("spectrum", "Measure what each Fourier mode adds to a face");
   options->report.addTo(*command);
   command->add_option("--tolerance", options->toleranceText,

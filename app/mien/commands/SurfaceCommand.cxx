@@ -15,23 +15,13 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct SurfaceCommandOptions {
   FaceOptions face;
   std::string output;
 };
 
-bool isTable(const std::string& name) {
-  return fileEnding(name) == "csv";
-}
-
-void checkOutput(const std::string& name) {
-  std::vector<std::string> endings = surfaceEndings();
-  endings.push_back("csv");
-  requireEnding(name, endings);
-}
-
-void run(const Options& options) {
-  checkOutput(options.output);
+void run(const SurfaceCommandOptions& options) {
+  requireSurfaceOrTable(options.output);
   FacePipeline pipeline;
   options.face.apply(pipeline);
   FaceState state = pipeline.state();
@@ -49,7 +39,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addSurfaceCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SurfaceCommandOptions>();
   CLI::App* command = program.add_subcommand("surface", "Write the PDE surface of a face");
   command->add_option("-o,--output", options->output, "File to write: .vts .vtp .ply .obj .stl .off .csv")->required();
   options->face.addAll(*command);

@@ -24,7 +24,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct SweepCommandOptions {
   MeasuredFace face;
   ReportOptions report;
   SweepChoice choice;
@@ -112,7 +112,7 @@ Report reportOf(const MeasuredFace& face, const SweepChoice& choice, vtkPDEParam
   return report;
 }
 
-void run(Options& options) {
+void run(SweepCommandOptions& options) {
   options.report.check();
   options.face.update();
   options.report.deliver(sweepReport(options.face, options.choice), "mien sweep");
@@ -133,7 +133,7 @@ Report sweepReport(const MeasuredFace& face, const SweepChoice& choice) {
 }
 
 void addSweepCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SweepCommandOptions>();
   CLI::App* command = program.add_subcommand("sweep", "Measure a face over the smoothing parameter a");
   options->report.addTo(*command);
   const SmoothingSweepOptions usual;

@@ -37,13 +37,13 @@ namespace {
 
 using Kind = FaceWarpLayout::Kind;
 
-struct Options {
+struct TextureCommandOptions {
   std::string image, source, landmarks, target, face, mesh, size, saveSource, saveTarget, showPoints, output;
 
   bool writesMeshes() const { return !output.empty() || !saveSource.empty() || !saveTarget.empty(); }
 };
 
-void check(const Options& options) {
+void check(const TextureCommandOptions& options) {
   if (!options.source.empty() && !options.landmarks.empty())
     throw ValueFailure("--source and --landmarks both say where features lie; give one");
   if (options.source.empty() && options.landmarks.empty() && !std::filesystem::exists(meshBeside(options.image)))
@@ -97,14 +97,14 @@ FaceWarpLayout layoutOn(const FaceCurves& face, Kind kind) {
   return layout;
 }
 
-ImageLandmarks readLandmarks(const Options& options) {
+ImageLandmarks readLandmarks(const TextureCommandOptions& options) {
   ImageLandmarks landmarks;
   const std::string fault = parseImageLandmarks(readText(options.landmarks, "list of landmarks"), landmarks);
   if (!fault.empty()) throw FileFailure(options.landmarks + ":" + fault);
   return landmarks;
 }
 
-WarpMesh meshOfLandmarks(const Options& options, const FaceCurves& face, vtkImageData* image) {
+WarpMesh meshOfLandmarks(const TextureCommandOptions& options, const FaceCurves& face, vtkImageData* image) {
   WarpMesh mesh;
   const int* size = image->GetDimensions();
   const std::string fault = photographMesh(layoutOn(face, options.mesh == "7x7" ? Kind::SevenBySeven : Kind::Fine),
@@ -113,12 +113,12 @@ WarpMesh meshOfLandmarks(const Options& options, const FaceCurves& face, vtkImag
   return mesh;
 }
 
-WarpMesh readSource(const Options& options) {
+WarpMesh readSource(const TextureCommandOptions& options) {
   return readMesh(options.source.empty() ? meshBeside(options.image) : options.source);
 }
 
 /// Landmarks are drawn as they are given, wherever they lie, so that one sees what is wrong with them.
-void showPoints(const Options& options, vtkImageData* image) {
+void showPoints(const TextureCommandOptions& options, vtkImageData* image) {
   ImageLandmarks points;
   if (!options.landmarks.empty()) {
     points = readLandmarks(options);
@@ -137,7 +137,7 @@ void showPoints(const Options& options, vtkImageData* image) {
 }
 
 /// Without a target mesh that of the face, which must have the places of the source mesh.
-WarpMesh targetOf(const Options& options, const FaceCurves& face, const WarpMesh& source) {
+WarpMesh targetOf(const TextureCommandOptions& options, const FaceCurves& face, const WarpMesh& source) {
   if (!options.target.empty()) return readMesh(options.target);
   Kind kind{};
   if (!FaceWarpLayout::kindOf(source, kind))
@@ -153,7 +153,7 @@ void fill(const OutputFile& file, const WarpMesh& mesh) {
 }
 
 /// Of the picture that is written: from --size, else from the target mesh.
-std::pair<int, int> sizeOf(const Options& options, const WarpMesh& target) {
+std::pair<int, int> sizeOf(const TextureCommandOptions& options, const WarpMesh& target) {
   const double largest = vtkImageMeshWarpFilter::LargestSide;
   const std::string allowed = "at most " + std::to_string(vtkImageMeshWarpFilter::LargestSide) + " pixels along a side";
   if (options.size.empty() && std::max(target.width, target.height) > largest)
@@ -167,7 +167,7 @@ std::pair<int, int> sizeOf(const Options& options, const WarpMesh& target) {
   return {width, height};
 }
 
-void warp(const Options& options, vtkImageData* image, const WarpMesh& source, const WarpMesh& target,
+void warp(const TextureCommandOptions& options, vtkImageData* image, const WarpMesh& source, const WarpMesh& target,
           const OutputFile& output) {
   vtkNew<vtkStructuredGrid> from, to;
   writeWarpMesh(source, from);
@@ -186,7 +186,7 @@ void warp(const Options& options, vtkImageData* image, const WarpMesh& source, c
   writePicture(filter->GetOutput(), output);
 }
 
-void run(const Options& options) {
+void run(const TextureCommandOptions& options) {
   check(options);
   vtkNew<vtkImageData> image;
   const std::string fault = readImageFile(options.image, image);
@@ -206,7 +206,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addTextureCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TextureCommandOptions>();
   CLI::App* command = program.add_subcommand("texture", "Warp a photograph into the texture of a face");
   const auto add = [&](const char* name, std::string& value, const char* help) {
     return command->add_option(name, value, help);

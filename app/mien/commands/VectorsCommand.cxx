@@ -26,7 +26,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct VectorsCommandOptions {
   VectorSource source;
   VectorDrawing drawing;
   std::vector<std::string> outputs;
@@ -37,7 +37,7 @@ struct Options {
 /// Fields of one run and what of them is wanted.
 class VectorReport {
  public:
-  explicit VectorReport(Options& options) : options_(options), drawing_(options.drawing.options()) {}
+  explicit VectorReport(VectorsCommandOptions& options) : options_(options), drawing_(options.drawing.options()) {}
 
   void run() {
     moments_ = options_.source.moments(drawing_.picture.plane);
@@ -156,7 +156,7 @@ class VectorReport {
     return text + ", which the arrows need; larger vectors are hidden or not sampled";
   }
 
-  Options& options_;
+  VectorsCommandOptions& options_;
   const FigureApplication application_;
   MotionVectorOptions drawing_;
   std::vector<VectorMoment> moments_;
@@ -165,7 +165,7 @@ class VectorReport {
   std::unique_ptr<MotionVectorFigure> figure_;
 };
 
-void checkOutputs(const Options& options) {
+void checkOutputs(const VectorsCommandOptions& options) {
   std::vector<std::string> known = FigureFile::endings();
   known.insert(known.end(), {"csv", "vtp"});
   for (const std::string& name : options.outputs) {
@@ -179,7 +179,7 @@ void checkOutputs(const Options& options) {
   }
 }
 
-void run(Options& options) {
+void run(VectorsCommandOptions& options) {
   checkOutputs(options);
   options.drawing.check();
   VectorReport(options).run();
@@ -204,7 +204,7 @@ const char* const help =
 }  // namespace
 
 void addVectorsCommand(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<VectorsCommandOptions>();
   CLI::App* command = program.add_subcommand("vectors", "Draw how a face moves: its motion vector field");
   options->command = command;
   command->add_flag("--json", options->printJson, "Machine-readable results on stdout");

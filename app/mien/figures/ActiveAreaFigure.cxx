@@ -13,13 +13,13 @@ namespace mien {
 namespace {
 
 constexpr const char* movedCurve = "C6";
-constexpr double value = 300.0;        // FAP units
-constexpr double visibleShare = 0.02;  // of the largest motion: less is no part of the active area
+constexpr double activatedValue = 300.0;  // FAP units
+constexpr double visibleShare = 0.02;     // of the largest motion: less is no part of the active area
 constexpr double frontal[2] = {0.5 * M_PI, 1.5 * M_PI};
 
 FaceState raisedBrows(const FaceState& rest) {
   FaceState state = rest;
-  for (int fap = 31; fap <= 36; ++fap) state.fapValues[fap] += value;
+  for (int fap = 31; fap <= 36; ++fap) state.fapValues[fap] += activatedValue;
   return state;
 }
 

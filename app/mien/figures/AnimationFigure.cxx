@@ -17,7 +17,6 @@ namespace mien {
 namespace {
 
 constexpr int frames = 5;
-constexpr double shape = 1.28;  // height over width of a face
 constexpr int fineRows = 164, fineColumns = 160;
 
 PlatePanel curveRow(FigureContext& context, const std::vector<FaceState>& states) {
@@ -62,7 +61,7 @@ PlatePanel texturedRow(FigureContext& context, const std::vector<FaceState>& sta
     faces.push_back({heads ? frameHeading(one) : "", state});
   }
   const double width = context.innerWidth() / std::max(3.0, static_cast<double>(states.size()));
-  return panelRow(heading, context.facePanels(faces, SceneStyle(), width, shape), context.innerWidth());
+  return panelRow(heading, context.facePanels(faces, SceneStyle(), width, faceShape), context.innerWidth());
 }
 
 /// The face, the file and its frames.

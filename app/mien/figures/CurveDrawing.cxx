@@ -13,7 +13,7 @@ namespace {
 constexpr int pointsPerSample = 6;
 constexpr double leaderBend = 3.0, leaderLength = 7.0;  // mm of the face, beyond the curves
 constexpr double bracketDepth = 2.0, bracketGap = 0.8;  // mm; the gap lies between a patch and the next
-constexpr double nameSize = 6.0;                        // pt
+constexpr double curveNameSize = 6.0;                   // pt
 const QColor leaderColor("#9a9a9a");
 
 QPointF seenFromFront(const Eigen::Vector3d& point) {
@@ -75,7 +75,7 @@ void CurveDrawing::addNames(PlaneDrawing& drawing, const std::vector<int>& curve
     const QPointF at(edge + side * leaderLength, -places[i]);
     const QPointF bend(edge + side * leaderBend, ends[i].y());
     drawing.lines.push_back({QPolygonF({ends[i], bend, at}), leaderStroke()});
-    drawing.labels.push_back({at, QString::fromStdString(FaceLayout::curveName(curves[i])), nameSize,
+    drawing.labels.push_back({at, QString::fromStdString(FaceLayout::curveName(curves[i])), curveNameSize,
                               (right ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter});
   }
 }
@@ -89,8 +89,8 @@ void CurveDrawing::addPatchNames(PlaneDrawing& drawing, double distance) const {
     const double top = line(first).first().y() - bracketGap, bottom = line(first + 3).first().y() + bracketGap;
     const QPolygonF bracket({{x + bracketDepth, top}, {x, top}, {x, bottom}, {x + bracketDepth, bottom}});
     drawing.lines.push_back({bracket, stroke});
-    drawing.labels.push_back(
-        {QPointF(x, 0.5 * (top + bottom)), QString("P%1").arg(patch), nameSize, Qt::AlignRight | Qt::AlignVCenter});
+    drawing.labels.push_back({QPointF(x, 0.5 * (top + bottom)), QString("P%1").arg(patch), curveNameSize,
+                              Qt::AlignRight | Qt::AlignVCenter});
   }
 }
 

@@ -15,7 +15,7 @@ namespace mien {
 
 namespace {
 
-constexpr double spacing = 0.28;  // of the points, pupil units
+constexpr double pointSpacing = 0.28;  // of the points, pupil units
 const char* const publishedTable = "smile";
 
 /// Around the ends of the curves: down on one side and up on the other.
@@ -31,12 +31,12 @@ std::vector<DeformationPoint> pointsWithin(const QPolygonF& outline) {
   const Eigen::AlignedBox2d box(Eigen::Vector2d(bounds.left(), bounds.top()),
                                 Eigen::Vector2d(bounds.right(), bounds.bottom()));
   std::vector<DeformationPoint> points;
-  const int columns = static_cast<int>(0.5 * box.sizes().x() / spacing);
-  for (double y = box.max().y() - 0.5 * spacing; y > box.min().y(); y -= spacing)
+  const int columns = static_cast<int>(0.5 * box.sizes().x() / pointSpacing);
+  for (double y = box.max().y() - 0.5 * pointSpacing; y > box.min().y(); y -= pointSpacing)
     for (int i = -columns; i <= columns; ++i) {
       DeformationPoint point;
-      point.position = {i * spacing, y, 0.0};
-      if (outline.containsPoint(QPointF(i * spacing, y), Qt::OddEvenFill)) points.push_back(point);
+      point.position = {i * pointSpacing, y, 0.0};
+      if (outline.containsPoint(QPointF(i * pointSpacing, y), Qt::OddEvenFill)) points.push_back(point);
     }
   return points;
 }

@@ -10,7 +10,6 @@ namespace {
 
 const char* const expressions[] = {"anger", "joy", "sadness", "disgust", "fear", "surprise"};
 constexpr size_t count = std::size(expressions);
-constexpr double shape = 1.28;                  // height over width of a face
 constexpr int meshRows = 29, meshColumns = 40;  // as in the paper
 
 FaceState withExpression(const FaceState& rest, const std::string& name) {
@@ -46,7 +45,8 @@ PlatePanel faceRow(FigureContext& context, const std::string& heading, const Fac
   if (mesh == SceneStyle::Mesh::Wireframe) style.samples = 6;  // fine lines in small pictures
   std::vector<FigureContext::NamedFace> faces;
   for (const char* const name : expressions) faces.push_back({"", withExpression(rest, name)});
-  return panelRow(heading, context.facePanels(faces, style, context.innerWidth() / count, shape), context.innerWidth());
+  return panelRow(heading, context.facePanels(faces, style, context.innerWidth() / count, faceShape),
+                  context.innerWidth());
 }
 
 }  // namespace

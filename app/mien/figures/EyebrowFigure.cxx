@@ -13,7 +13,7 @@ namespace mien {
 namespace {
 
 constexpr int innerBrow = 31, middleBrow = 33, outerBrow = 35;
-constexpr double value = 250.0;  // FAP units
+constexpr double raisedValue = 250.0;  // FAP units
 constexpr int sumStyle = 4;
 constexpr const char* curveName = "C6";
 constexpr double from = 170.0 / 180.0 * M_PI, to = 262.0 / 180.0 * M_PI;  // the left brow along v
@@ -49,7 +49,7 @@ Chart weightChart(const FaceAnimator& face) {
 PlaneDrawing browDrawing(FaceAnimator& face, const std::vector<int>& faps) {
   const int curve = FaceLayout::curveIndex(curveName);
   FAPFrame frame;
-  for (int fap : faps) frame.setValue(fap, value);
+  for (int fap : faps) frame.setValue(fap, raisedValue);
   const ClosedCurves moved = face.animate(frame);
   const CurveDrawing rest(face.neutral().curves, from, to), raised(moved, from, to);
   PlaneDrawing drawing;
@@ -91,8 +91,8 @@ FigureDrawing drawEyebrow(FigureContext& context) {
   plate.panels.back().span = 2;
   plate.panels.back().heading = "Weights along " + std::string(curveName);
   const double unit = face.units().perValue(fapDefinition(middleBrow).unit);
-  plate.caption = "Values of " + shortestText(value) + " FAP units, " +
-                  shortestText(std::round(value * unit * 100.0) / 100.0) +
+  plate.caption = "Values of " + shortestText(raisedValue) + " FAP units, " +
+                  shortestText(std::round(raisedValue * unit * 100.0) / 100.0) +
                   " mm at weight 1; dashed: the neutral brow. The weights are staggered sinusoids that sum to at most "
                   "1 at the samples, so that no point rises further than the largest of the three; between samples "
                   "their interpolant ripples.";

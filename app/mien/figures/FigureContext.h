@@ -25,6 +25,8 @@ namespace mien {
 
 struct CatalogueFigure;
 
+constexpr double faceShape = 1.28;  ///< height over width of a picture of a face
+
 /// What the figures of the catalogue are made with: the face that was asked for and ways to draw it.
 class FigureContext {
  public:

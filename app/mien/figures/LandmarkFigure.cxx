@@ -14,10 +14,10 @@ namespace mien {
 
 namespace {
 
-constexpr double figureWidth = 130.0;                             // mm
-constexpr int largestSide = 1600;                                 // pixels of the photograph in the figure
-constexpr double nameDistance = 0.9;                              // mm
-constexpr double radius = 1.5, nameSize = 6.5, numberSize = 5.0;  // pt
+constexpr double figureWidth = 130.0;                                     // mm
+constexpr int largestSide = 1600;                                         // pixels of the photograph in the figure
+constexpr double nameDistance = 0.9;                                      // mm
+constexpr double radius = 1.5, landmarkNameSize = 6.5, numberSize = 5.0;  // pt
 
 /// Where a name stands: outwards at the ends of brows, eyes and mouth, else above; below the lower lids, the nose and
 /// the lower lip.
@@ -45,7 +45,7 @@ QPointF wayTo(Qt::Alignment side, double distance) {
 
 PlaneDrawing drawingOf(const ImageLandmarks& landmarks, double scale, const QSize& size) {
   PlaneDrawing drawing;
-  const double textSize = landmarks.count("0") != 0 ? numberSize : nameSize;
+  const double textSize = landmarks.count("0") != 0 ? numberSize : landmarkNameSize;
   const double distance = nameDistance * size.width() / figureWidth;
   const QColor orange("#d55e00");
   for (const auto& [name, point] : landmarks) {

@@ -18,8 +18,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr double faceShape = 1.28;  // height over width
-
 std::vector<std::string> allSchemes() {
   std::vector<std::string> names;
   for (const FaceScheme& scheme : faceSchemes()) names.push_back(scheme.name);

@@ -7,7 +7,7 @@ namespace mien {
 
 namespace {
 
-constexpr double shape = 1.1;  // height over width of a panel
+constexpr double meshShape = 1.1;  // height over width of a panel
 
 }  // namespace
 
@@ -25,7 +25,7 @@ FigureDrawing drawMeshes(FigureContext& context) {
       const bool lines = mesh == SceneStyle::Mesh::Wireframe;
       const std::string size =
           std::to_string(rows) + " × " + std::to_string(columns) + (lines ? ", wireframe" : ", shaded");
-      plate.panels.push_back(picturePanel(size, context.picture(state, style, width, shape)));
+      plate.panels.push_back(picturePanel(size, context.picture(state, style, width, meshShape)));
     }
   plate.caption = "Rows x columns of points on the same boundary curves.";
   return context.drawn(plate);

@@ -21,8 +21,8 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr int fineRows = 224, fineColumns = 160;  // of the surface that stands for a scan
-constexpr double spacing = 6.0;                   // mm, between the points at which distances are measured
+constexpr int scanRows = 224, scanColumns = 160;  // of the surface that stands for a scan
+constexpr double measuredSpacing = 6.0;           // mm, between the points at which distances are measured
 
 std::vector<DetailPoint> pointsOf(vtkTable* table) {
   std::vector<DetailPoint> points;
@@ -39,8 +39,8 @@ std::vector<DetailPoint> pointsOf(vtkTable* table) {
 /// A scan is what `mien lod` takes; here the face's own fine surface stands for it, so that the figure needs no file.
 FigureDrawing drawSizes(FigureContext& context) {
   FaceState state = context.state();
-  state.rows = fineRows;
-  state.columns = fineColumns;
+  state.rows = scanRows;
+  state.columns = scanColumns;
   FacePipeline& pipeline = context.pipeline(state);
   vtkNew<vtkTriangleFilter> triangles;
   vtkNew<vtkReverseSense> outwards;
@@ -54,15 +54,15 @@ FigureDrawing drawSizes(FigureContext& context) {
   filter->SetInputConnection(pipeline.curves()->GetOutputPort());
   filter->SetScanData(outwards->GetOutput());
   filter->SetParameters(state.surface);
-  filter->SetSampleSpacing(spacing);
+  filter->SetSampleSpacing(measuredSpacing);
   updateWatched(filter, "comparison");
   if (!errors.first().empty()) throw FileFailure(errors.first());
   const int k = pipeline.pointsPerCurve();
   Figure figure = detailFigure(pointsOf(filter->GetOutput()), modeNumberCount(k, k / 2) * double(sizeof(float)),
                                "the face's own fine surface");
-  figure.caption = "The reference is the face's own surface of " + std::to_string(fineRows) + " × " +
-                   std::to_string(fineColumns) + " points, not a scan. " + figure.caption;
-  figure.note = faceNote(state, {state.surface.scheme}) + "; measured every " + shortestText(spacing) + " mm";
+  figure.caption = "The reference is the face's own surface of " + std::to_string(scanRows) + " × " +
+                   std::to_string(scanColumns) + " points, not a scan. " + figure.caption;
+  figure.note = faceNote(state, {state.surface.scheme}) + "; measured every " + shortestText(measuredSpacing) + " mm";
   return context.drawn(figure);
 }
 

@@ -6,7 +6,7 @@ namespace mien {
 
 namespace {
 
-constexpr double shape = 1.25;  // height over width of a panel
+constexpr double smileShape = 1.25;  // height over width of a panel
 
 }  // namespace
 
@@ -26,7 +26,7 @@ FigureDrawing drawSmile(FigureContext& context) {
     style.view = parseView(view);
     const std::vector<FigureContext::NamedFace> faces = {{std::string("Neutral") + words, neutral},
                                                          {std::string("Deformed") + words, smile}};
-    for (const PlatePanel& panel : context.facePanels(faces, style, width, shape)) plate.panels.push_back(panel);
+    for (const PlatePanel& panel : context.facePanels(faces, style, width, smileShape)) plate.panels.push_back(panel);
   }
   const bool published = smile.deformation.table == "smile";
   plate.caption =

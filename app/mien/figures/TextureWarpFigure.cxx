@@ -24,7 +24,7 @@ namespace mien {
 
 namespace {
 
-constexpr double faceShape = 1.2;
+constexpr double texturedShape = 1.2;
 constexpr int textureHeight = 512;  // pixels; what is printed shows no more
 
 /// The photograph, its mesh, and the mesh it is taken to.
@@ -149,7 +149,7 @@ FigureDrawing drawTextureWarp(FigureContext& context) {
                   overlaidPanel("Target mesh", frontalHalf(texture), frontalHalf(meshDrawing(warp.target), texture)),
                   overlaidPanel("First pass: rows", frontalHalf(rows), frontalHalf(meshDrawing(between), rows)),
                   picturePanel("Second pass: columns", frontalHalf(texture)),
-                  context.facePanel("On the surface", state, SceneStyle(), width, faceShape)};
+                  context.facePanel("On the surface", state, SceneStyle(), width, texturedShape)};
   plate.caption =
       "Two-pass mesh warping: the mesh over the photograph is taken to the places of the same features in "
       "the surface's own coordinates v (across; its frontal half is shown) and u (down)." +

@@ -4,6 +4,8 @@
 
 #include "CsvText.h"
 #include "FaceLayout.h"
+#include "OutputFile.h"
+#include "SurfaceFile.h"
 #include "vtkStructuredGrid.h"
 
 namespace mien {
@@ -30,6 +32,16 @@ bool isSeam(const FaceRow& row, const FaceRow& next) {
 }
 
 }  // namespace
+
+bool isTable(const std::string& name) {
+  return fileEnding(name) == "csv";
+}
+
+void requireSurfaceOrTable(const std::string& name) {
+  std::vector<std::string> endings = surfaceEndings();
+  endings.push_back("csv");
+  requireEnding(name, endings);
+}
 
 std::string faceTable(const RowLayout& layout, vtkStructuredGrid* grid) {
   std::string text = header;

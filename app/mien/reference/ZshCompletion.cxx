@@ -14,7 +14,7 @@ std::string functionName(const CommandDescription& command) {
 }
 
 /// Text inside '...' in a specification of _arguments, where brackets and colons have a meaning.
-std::string plain(const std::string& text) {
+std::string zshText(const std::string& text) {
   std::string safe;
   for (const char c : text) {
     if (c == '\'') {
@@ -29,7 +29,7 @@ std::string plain(const std::string& text) {
 
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + plain(word);
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + zshText(word);
   return text;
 }
 
@@ -37,7 +37,7 @@ std::string joined(const std::vector<std::string>& words) {
 std::string valuePart(const CommandDescription& command, const OptionDescription& option) {
   const std::vector<std::string> words = valueChoices(command, option);
   const std::string message = option.names.front().front() == '-' ? option.value : option.longestName();
-  return ":" + plain(message) + ":" + (words.empty() ? "_files" : "(" + joined(words) + ")");
+  return ":" + zshText(message) + ":" + (words.empty() ? "_files" : "(" + joined(words) + ")");
 }
 
 /// A specification for each name; any of them ends the offer of all, unless the option may be given again.
@@ -47,7 +47,7 @@ std::string optionLines(const CommandDescription& command, const OptionDescripti
   std::string lines;
   for (const std::string& name : option.names) {
     lines +=
-        " \\\n    '" + std::string(option.repeats ? "*" : "(" + names + ")") + name + "[" + plain(option.help) + "]";
+        " \\\n    '" + std::string(option.repeats ? "*" : "(" + names + ")") + name + "[" + zshText(option.help) + "]";
     lines += (option.value.empty() ? "" : valuePart(command, option)) + "'";
   }
   return lines;
@@ -71,7 +71,7 @@ std::string branchFunction(const CommandDescription& command) {
                      "() {\n  local curcontext=$curcontext state line\n  typeset -A opt_args\n"
                      "  local -a commands=(";
   for (const CommandDescription& below : command.commands)
-    text += "\n    '" + below.path.substr(below.path.rfind(' ') + 1) + ":" + plain(below.summary) + "'";
+    text += "\n    '" + below.path.substr(below.path.rfind(' ') + 1) + ":" + zshText(below.summary) + "'";
   text += "\n  )\n  _arguments -C -S";
   for (const OptionDescription& option : command.options) text += optionLines(command, option);
   return text +

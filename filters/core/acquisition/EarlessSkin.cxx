@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Degree.h"
 #include "SmoothStep.h"
 
 namespace mien {
 
 namespace {
 
-constexpr double degree = M_PI / 180.0;
 constexpr double frontEnd = 60.0 * degree;     // the mesh itself counts up to here
 constexpr double sideBegin = 80.0 * degree;    // an ear is taken off wholly from here; ears begin at about 90
 constexpr int columnCount = 180;               // 2 degrees each

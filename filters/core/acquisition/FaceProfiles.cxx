@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "Degree.h"
 #include "FaceLayout.h"
 #include "SmoothStep.h"
 
@@ -12,8 +13,6 @@ namespace mien {
 namespace {
 
 using Knots = std::vector<std::pair<double, double>>;
-
-constexpr double degree = M_PI / 180.0;
 
 enum Key { Forehead, Brow, UpperLid, LowerLid, NoseTip, NoseBase, UpperLip, LipLine, LowerLip, Jaw };
 

@@ -12,8 +12,8 @@ namespace mien {
 
 namespace {
 
-constexpr int sampledRows = 83, sampledColumns = 90;  // about 2 mm apart on the face
-constexpr double frontEnd = 113.0 * M_PI / 180.0;     // |v - pi| there: 80 degrees of azimuth, before the ears
+constexpr int sampledRows = 83, sampledColumns = 90;     // about 2 mm apart on the face
+constexpr double frontHalfWidth = 113.0 * M_PI / 180.0;  // |v - pi| there: 80 degrees of azimuth, before the ears
 
 /// The rows of a sample without those given twice at seams and at closed lips.
 std::vector<int> differentRows(const FaceSample& sample) {
@@ -30,7 +30,7 @@ std::vector<int> differentRows(const FaceSample& sample) {
 std::vector<int> frontColumns(const FaceSample& sample) {
   std::vector<int> columns;
   for (int c = 0; c < sample.columnCount(); ++c)
-    if (std::abs(sample.v(c) - M_PI) <= frontEnd) columns.push_back(c);
+    if (std::abs(sample.v(c) - M_PI) <= frontHalfWidth) columns.push_back(c);
   return columns;
 }
 

@@ -13,7 +13,7 @@ namespace mien {
 
 namespace {
 
-using Points = Similarity::Points;
+using HeadPoints = Similarity::Points;
 
 constexpr int rotationStarts = 300;  // none of all rotations is further than about 32 degrees from one of them
 constexpr int coarseFacePoints = 220, coarseScanPoints = 5000, coarseSteps = 14;
@@ -24,7 +24,7 @@ constexpr double sizeSpread = 0.12;  // standard deviation of the size of heads
 
 /// Points with their outward normals.
 struct Cloud {
-  Points points, normals;
+  HeadPoints points, normals;
 
   Cloud every(Eigen::Index wanted) const {
     const Eigen::Index step = std::max<Eigen::Index>(1, points.rows() / wanted);
@@ -122,7 +122,7 @@ Meeting meet(const Cloud& face, const Similarity& motion, const Target& target, 
 
 /// Points to points: converges from far away.
 Similarity pointStep(const Cloud& face, const Meeting& meeting, const Target& target, const Similarity& motion) {
-  Points to = meeting.moved.points;
+  HeadPoints to = meeting.moved.points;
   for (Eigen::Index i = 0; i < to.rows(); ++i)
     if (meeting.partner[i] >= 0) to.row(i) = target.cloud().points.row(meeting.partner[i]);
   Similarity next = fitSimilarity(motion.scale * face.points, to, meeting.weight, true);
@@ -165,7 +165,7 @@ Similarity planeStep(const Meeting& meeting, const Target& target, const Similar
 }
 
 /// Two guesses of where a head in this pose lies: in the middle of the scan, and at its upper end, where busts have it.
-std::vector<Eigen::Vector3d> headPlaces(const Points& scan, const Eigen::Matrix3d& rotation) {
+std::vector<Eigen::Vector3d> headPlaces(const HeadPoints& scan, const Eigen::Matrix3d& rotation) {
   constexpr double crownAbove = 115.0, headHeight = 240.0;  // mm above the middle of the head; from crown to neck
   const Eigen::Vector3d up = rotation.col(1), middle = scan.colwise().mean().transpose();
   const Eigen::VectorXd height = scan * up;

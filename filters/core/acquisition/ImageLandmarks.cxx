@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t mostPoints = 10'000;
 
-struct Columns {
+struct PlaceColumns {
   std::size_t count = 0;
   int landmark = -1, x = -1, y = -1;
 
@@ -26,7 +26,7 @@ struct Columns {
   }
 };
 
-std::string addRow(const std::vector<std::string>& cells, const Columns& columns, ImageLandmarks& landmarks) {
+std::string addRow(const std::vector<std::string>& cells, const PlaceColumns& columns, ImageLandmarks& landmarks) {
   if (cells.size() != columns.count)
     return "there are " + std::to_string(cells.size()) + " cells under " + std::to_string(columns.count) + " columns";
   const std::string& name = cells[columns.landmark];
@@ -43,7 +43,7 @@ std::string addRow(const std::vector<std::string>& cells, const Columns& columns
 
 std::string parseImageLandmarks(const std::string& text, ImageLandmarks& landmarks) {
   LineReader lines(text);
-  Columns columns;
+  PlaceColumns columns;
   ImageLandmarks parsed;
   std::string fault =
       lines.next() ? columns.find(splitAtCommas(lines.line())) : "the file is empty; give a header and landmarks";

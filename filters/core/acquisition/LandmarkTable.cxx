@@ -30,12 +30,12 @@ constexpr std::array<std::pair<int, const char*>, 12> names = {{{8, "chin"},
                                                                 {57, "lower_lip"}}};
 
 /// Columns of the file by name; -1 for one that is not there.
-struct Columns {
+struct LandmarkColumns {
   std::size_t count;
   int landmark, vertex;
   std::array<int, 3> position;
 
-  explicit Columns(const Cells& header)
+  explicit LandmarkColumns(const Cells& header)
       : count(header.size()),
         landmark(columnNamed(header, "landmark")),
         vertex(columnNamed(header, "vertex")),
@@ -64,7 +64,7 @@ int parseLandmark(const std::string& text) {
 /// Reads the lines below the header into a table.
 class RowReader {
  public:
-  RowReader(const Columns& columns, LandmarkTable& table) : columns_(columns), table_(table) {}
+  RowReader(const LandmarkColumns& columns, LandmarkTable& table) : columns_(columns), table_(table) {}
 
   std::string read(const Cells& cells) {
     if (cells.size() != columns_.count)
@@ -101,7 +101,7 @@ class RowReader {
     return {};
   }
 
-  const Columns& columns_;
+  const LandmarkColumns& columns_;
   LandmarkTable& table_;
   int next_ = 0;
 };
@@ -136,7 +136,7 @@ std::string parseRows(
   file.next();
   const Cells first = splitAtCommas(file.line()), without = implied(first);
   const Cells& header = without.empty() ? first : without;
-  const Columns columns(header);
+  const LandmarkColumns columns(header);
   std::string fault = accepts(columns);
   if (fault.empty()) fault = describeUnnumbered(header);
   table.hasVertices = columns.vertex >= 0;
@@ -166,7 +166,7 @@ std::string landmarkName(int landmark) {
 std::string parseLandmarks(const std::string& text, LandmarkTable& table) {
   LandmarkTable parsed;
   int lines = 0;
-  std::string fault = parseRows(text, parsed, lines, [](const Columns& columns) {
+  std::string fault = parseRows(text, parsed, lines, [](const LandmarkColumns& columns) {
     return columns.vertex >= 0 || columns.hasPosition()
                ? std::string()
                : "the header must name the columns landmark and vertex, or landmark, x, y and z";
@@ -181,7 +181,7 @@ std::string parseLandmarks(const std::string& text, LandmarkTable& table) {
 std::string parsePictureLandmarks(const std::string& text, FaceLandmarks& landmarks) {
   LandmarkTable parsed;
   int lines = 0;
-  const auto accepts = [](const Columns& columns) {
+  const auto accepts = [](const LandmarkColumns& columns) {
     return columns.hasPlane() ? std::string()
                               : "the header must name the columns landmark, x and y; without a header the rows are "
                                 "landmark,x,y, or x,y in the order of the landmarks";

@@ -14,20 +14,20 @@ namespace mien {
 
 namespace {
 
-using Points = SmoothWarp::Points;
+using PicturePoints = SmoothWarp::Points;
 
-constexpr double largestMisfit = 0.25;  // eye distances, RMS; frontal faces reach 0.1
+constexpr double largestPictureMisfit = 0.25;  // eye distances, RMS; frontal faces reach 0.1
 constexpr double largestTilt = 60.0 * M_PI / 180.0;
 constexpr int anchors = 12;
 constexpr double anchorDistance = 2.5;  // of the landmarks' mean distance from their middle
 
-Points flat(const FaceLandmarks& landmarks) {
+PicturePoints flat(const FaceLandmarks& landmarks) {
   return landmarks.points.leftCols(2);
 }
 
 /// The similarity of the plane, never a reflection, from the known landmarks to others, as one complex factor.
-Similarity planeFit(const FaceLandmarks& known, const Points& to) {
-  const Points from = flat(known);
+Similarity planeFit(const FaceLandmarks& known, const PicturePoints& to) {
+  const PicturePoints from = flat(known);
   const Eigen::RowVectorXd start = from.colwise().mean(), end = to.colwise().mean();
   std::complex<double> product = 0.0;
   double squares = 0.0;
@@ -45,9 +45,9 @@ Similarity planeFit(const FaceLandmarks& known, const Points& to) {
 }
 
 struct Reading {
-  Points picture;     ///< y up
-  Similarity motion;  ///< known face to picture
-  double misfit;      ///< in eye distances
+  PicturePoints picture;  ///< y up
+  Similarity motion;      ///< known face to picture
+  double misfit;          ///< in eye distances
 
   double tilt() const { return std::atan2(motion.rotation(1, 0), motion.rotation(0, 0)); }
 };
@@ -58,7 +58,7 @@ Reading readAs(const FaceLandmarks& known, const FaceLandmarks& picture, bool yD
   reading.motion = planeFit(known, reading.picture);
   Similarity::Points placed = known.points;
   placed.col(2).setZero();
-  const Points rest = reading.motion.applied(placed).leftCols(2) - reading.picture;
+  const PicturePoints rest = reading.motion.applied(placed).leftCols(2) - reading.picture;
   const double eyes = reading.motion.scale * eyeDistance(known);
   reading.misfit = eyes > 0.0 ? std::sqrt(rest.squaredNorm() / FaceLandmarks::count) / eyes : 1e9;
   return reading;
@@ -67,10 +67,10 @@ Reading readAs(const FaceLandmarks& known, const FaceLandmarks& picture, bool yD
 std::string describeReading(const Reading& reading) {
   const std::string advice =
       "; give the 68 landmarks of a frontal face, 0-16 the jaw from the subject's right, see mien adapt --help";
-  if (!(reading.misfit <= largestMisfit))
+  if (!(reading.misfit <= largestPictureMisfit))
     return "the landmarks are no frontal face: they lie " + roundedText(reading.misfit) +
-           " eye distances (RMS) from those of the known face, at most " + roundedText(largestMisfit) + " are allowed" +
-           advice;
+           " eye distances (RMS) from those of the known face, at most " + roundedText(largestPictureMisfit) +
+           " are allowed" + advice;
   if (std::abs(reading.tilt()) > largestTilt)
     return "the face leans by " + roundedText(reading.tilt() * 180.0 / M_PI) + " degrees, more than " +
            roundedText(largestTilt * 180.0 / M_PI) +
@@ -105,17 +105,17 @@ FaceLandmarks placed(const Reading& reading, const FaceLandmarks& known, const P
 
 /// The known landmarks and a ring around them that moves with the nearest affine map, and where they go.
 struct Warping {
-  Points from, to;
+  PicturePoints from, to;
 };
 
 Warping warpingOf(const FaceLandmarks& known, const FaceLandmarks& target) {
-  const Points a = flat(known), b = flat(target);
+  const PicturePoints a = flat(known), b = flat(target);
   Eigen::MatrixXd basis(a.rows(), 3);
   basis << a, Eigen::VectorXd::Ones(a.rows());
   const Eigen::MatrixXd affine = basis.colPivHouseholderQr().solve(b);
   const Eigen::RowVector2d middle = a.colwise().mean();
   const double radius = anchorDistance * (a.rowwise() - middle).rowwise().norm().mean();
-  Warping warping{Points(a.rows() + anchors, 2), Points(a.rows() + anchors, 2)};
+  Warping warping{PicturePoints(a.rows() + anchors, 2), PicturePoints(a.rows() + anchors, 2)};
   warping.from.topRows(a.rows()) = a;
   warping.to.topRows(a.rows()) = b;
   for (int i = 0; i < anchors; ++i) {

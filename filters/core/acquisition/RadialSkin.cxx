@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "Degree.h"
+
 namespace mien {
 
 namespace {
-
-constexpr double degree = M_PI / 180.0;
 
 /// Signed area of the origin against the edge a b, twice.
 double side(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {

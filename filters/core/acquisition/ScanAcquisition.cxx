@@ -23,7 +23,7 @@ constexpr double clearlyBetter = 1.5;
 constexpr double uprightWithin = 10.0 * M_PI / 180.0, nearWithin = 60.0;  // mm
 constexpr double usualEyes = 90.0;                                        // mm
 constexpr double deepestLandmarks = 2.0;                                  // mm, median
-constexpr double largestMisfit = 20.0;                                    // mm RMS
+constexpr double largestLandmarkMisfit = 20.0;                            // mm RMS
 const char* const stopped = "stopped before the curves were measured";
 
 std::string askForUnit(double millimetres) {
@@ -263,9 +263,9 @@ class Acquisition {
         fitSimilarity(places, reference_.landmarks.points, Eigen::VectorXd::Ones(FaceLandmarks::count), false);
     const double misfit =
         std::sqrt((motion.applied(places) - reference_.landmarks.points).rowwise().squaredNorm().mean());
-    if (misfit <= largestMisfit) return {};
+    if (misfit <= largestLandmarkMisfit) return {};
     return "the landmarks do not lie as those of a face do: in the best pose and size they are " + roundedText(misfit) +
-           " mm (RMS) from the generic ones (at most " + roundedText(largestMisfit) +
+           " mm (RMS) from the generic ones (at most " + roundedText(largestLandmarkMisfit) +
            " are allowed); check their numbers, and whether vertices are those of this mesh";
   }
 

@@ -9,13 +9,13 @@ namespace {
 
 using Points = TriangleMesh::Vertices;
 
-constexpr int degree = 3, steps = 20;
-constexpr int thinning = 4;        // of the points, another fourth in each step
-constexpr double size = 70.0;      // mm, half of a face
-constexpr double spread = 3.0;     // mm at that distance, by which faces differ linearly; of degree d the d-th part
-constexpr double freely = 20.0;    // mm; a shift
-constexpr double misfit = 5.5;     // mm, of a point that only smooth bending has brought near
-constexpr double lastReach = 4.0;  // mm
+constexpr int largestDegree = 3, steps = 20;
+constexpr int thinning = 4;           // of the points, another fourth in each step
+constexpr double size = 70.0;         // mm, half of a face
+constexpr double spread = 3.0;        // mm at that distance, by which faces differ linearly; of degree d the d-th part
+constexpr double freely = 20.0;       // mm; a shift
+constexpr double misfit = 5.5;        // mm, of a point that only smooth bending has brought near
+constexpr double alignedReach = 4.0;  // mm
 
 /// The monomials up to a degree at each point of a face, and what is expected of their coefficients.
 struct Basis {
@@ -24,7 +24,7 @@ struct Basis {
 
   explicit Basis(const Points& points) {
     const Points scaled = (points.rowwise() - points.colwise().mean()) / size;
-    for (int d = 0; d <= degree; ++d)
+    for (int d = 0; d <= largestDegree; ++d)
       for (int a = d; a >= 0; --a)
         for (int b = d - a; b >= 0; --b) add(scaled, a, b, d - a - b);
   }
@@ -67,7 +67,7 @@ bool alignSmoothly(const FaceTemplate& face, const SkinMatches& skin, TriangleMe
   const Points start = moved.vertices;
   for (int step = 0; step < steps; ++step) {
     if (!goesOn(progress, static_cast<double>(step) / steps)) return false;
-    const double present = reach + (lastReach - reach) * step / steps;
+    const double present = reach + (alignedReach - reach) * step / steps;
     moved.vertices = start + displacementTo(skin, skin.of(moved, present), basis, start, step % thinning);
   }
   return true;

@@ -9,7 +9,7 @@ namespace mien {
 namespace {
 
 constexpr double lambda = 1e-4;
-constexpr double tolerance = 1e-10;  // of a slope
+constexpr double slopeTolerance = 1e-10;  // of a slope
 
 /// Minimises x^T N x / 2 - b^T x for 0 <= x <= 1, N positive definite, by sets of strengths that are free of their
 /// bounds (C. Lawson, R. Hanson, Solving Least Squares Problems, 1974, chapter 23, with an upper bound too).
@@ -31,7 +31,7 @@ class BoundedMinimum {
   bool freeTheSteepest() {
     const Eigen::VectorXd slope = normal_ * x_ - right_;
     Eigen::Index steepest = -1;
-    double most = tolerance * (1.0 + right_.cwiseAbs().maxCoeff());
+    double most = slopeTolerance * (1.0 + right_.cwiseAbs().maxCoeff());
     for (Eigen::Index j = 0; j < x_.size(); ++j) {
       const double gain = isFree_[j] ? 0.0 : x_(j) > 0.0 ? slope(j) : -slope(j);
       if (gain <= most) continue;

@@ -22,15 +22,15 @@ int parseCurve(const Json& json) {
   return index;
 }
 
-double parseNumber(const Json& json, const std::string& what) {
+double requiredNumber(const Json& json, const std::string& what) {
   if (!json.is_number() || !std::isfinite(json.get<double>())) refuse(what + " must be a number");
   return json.get<double>();
 }
 
 Eigen::Vector3d parseVector(const Json& json) {
   if (!json.is_array() || json.size() != 3) refuse("a slope must be three numbers x, y, z");
-  const Eigen::Vector3d slope(parseNumber(json[0], "a slope"), parseNumber(json[1], "a slope"),
-                              parseNumber(json[2], "a slope"));
+  const Eigen::Vector3d slope(requiredNumber(json[0], "a slope"), requiredNumber(json[1], "a slope"),
+                              requiredNumber(json[2], "a slope"));
   if (slope.cwiseAbs().maxCoeff() > steepestSlope)
     refuse("a slope lies beyond +-1000; 1 is a shift by the FAP value as MPEG-4 counts it");
   return slope;
@@ -51,7 +51,7 @@ void parsePlace(const std::string& place, ProfileKnot& knot) {
     refuse("\"" + place + "\" is no place along a curve; write a feature point and degrees, such as \"8.3+50\"");
   if (sign == std::string::npos) return;
   const Json degrees = Json::parse(place.substr(place[sign] == '+' ? sign + 1 : sign), nullptr, false);
-  knot.offset = parseNumber(degrees, "the offset in \"" + place + "\"") * M_PI / 180.0;
+  knot.offset = requiredNumber(degrees, "the offset in \"" + place + "\"") * M_PI / 180.0;
 }
 
 ProfileKnot parseKnot(const Json& json, ProfileShape shape) {
@@ -59,7 +59,7 @@ ProfileKnot parseKnot(const Json& json, ProfileShape shape) {
     refuse("a knot must be [place, weight] or [place, weight, shape]");
   ProfileKnot knot;
   parsePlace(json[0].get<std::string>(), knot);
-  knot.weight = parseNumber(json[1], "the weight of a knot");
+  knot.weight = requiredNumber(json[1], "the weight of a knot");
   if (knot.weight < 0.0 || knot.weight > 1.0) refuse("the weight of a knot must lie within 0 and 1");
   knot.shape = json.size() == 3 ? parseShape(json[2].get<std::string>()) : shape;
   return knot;
@@ -122,7 +122,7 @@ AnimationPart parsePart(const Json& json, const AnimationEntry& entry) {
 }
 
 int parseFap(const Json& json) {
-  const double number = parseNumber(json, "fap");
+  const double number = requiredNumber(json, "fap");
   if (number != std::floor(number) || number < FAPFrame::firstLowLevel || number > FAPFrame::count)
     refuse("fap must be a whole number from 3 to 68");
   return static_cast<int>(number);
@@ -142,7 +142,7 @@ std::vector<FAPLoan> parseLoans(const Json& entry) {
   if (!entry.at("lends").is_array()) refuse("\"lends\" must be a list of {\"fap\", \"share\"}");
   for (const Json& loan : entry.at("lends")) {
     refuseUnknownKeys(loan, {"fap", "share"});
-    loans.push_back({parseFap(loan.at("fap")), parseNumber(loan.at("share"), "a share")});
+    loans.push_back({parseFap(loan.at("fap")), requiredNumber(loan.at("share"), "a share")});
     if (std::abs(loans.back().share) > 1.0) refuse("a share must lie within -1 and 1");
   }
   return loans;
@@ -226,7 +226,7 @@ struct TableContent {
   std::vector<CurveBand> sideways;
 };
 
-void parseRoot(const Json& root, TableContent& content) {
+void parseTable(const Json& root, TableContent& content) {
   if (!root.is_object() || root.value("format", Json()) != "mien animation table")
     refuse("\"format\" is not \"mien animation table\"");
   if (!isKnownVersion(root.value("version", Json()), AnimationTable::version))
@@ -252,7 +252,7 @@ void parseRoot(const Json& root, TableContent& content) {
 std::string AnimationTable::parse(const std::string& json) {
   TableContent content;
   const std::string fault =
-      parseJson(json, "animation table", faultLine_, [&](const Json& root) { parseRoot(root, content); });
+      parseJson(json, "animation table", faultLine_, [&](const Json& root) { parseTable(root, content); });
   if (!fault.empty()) return fault;
   fileVersion_ = content.version;
   entries_ = std::move(content.entries);

@@ -22,13 +22,13 @@ constexpr double surelyPercent = 2.0;       // blendshapes of 0 .. 1 exceed 1 by
 constexpr double leastPercentage = 5.0;     // that one of them reaches when they are per cent
 constexpr double tellingShare = 0.2;        // of the cells that are not 0
 constexpr double largestAngle = 10.0;       // rad; more than a turn is no pose of a head
-constexpr double tolerance = 1e-6;          // of full strength; more is limited with a warning
+constexpr double strengthTolerance = 1e-6;  // of full strength; more is limited with a warning
 constexpr double timeCodeError = 1e-4;      // s; codes count thousandths of a frame
 constexpr double usualTimeCodeRate = 60.0;  // of face-capture apps, when a recording is too short to tell
 
-class Parser {
+class CaptureTextParser {
  public:
-  Parser(std::string_view text, CaptureKind kind, const FacialActionMap& map)
+  CaptureTextParser(std::string_view text, CaptureKind kind, const FacialActionMap& map)
       : text_(text), reader_(text), kind_(kind), map_(map) {}
   std::optional<FAPParseError> parse();
   FAPSequence sequence;
@@ -65,12 +65,12 @@ class Parser {
   bool warnedOfRange_ = false;
 };
 
-CaptureColumns Parser::columnsOf(const CommaReader& reader) const {
+CaptureColumns CaptureTextParser::columnsOf(const CommaReader& reader) const {
   return kind_ == CaptureKind::ActionUnits ? CaptureColumns::ofActionUnits(reader.header(), map_)
                                            : CaptureColumns::ofBlendshapes(reader.header(), map_);
 }
 
-std::string Parser::bindColumns() {
+std::string CaptureTextParser::bindColumns() {
   headerLine_ = reader_.line();
   columns_ = columnsOf(reader_);
   if (columns_.actions == 0)
@@ -88,10 +88,10 @@ std::string Parser::bindColumns() {
 }
 
 /// Reads the table once for what the columns reach.
-Parser::Strengths Parser::survey() const {
+CaptureTextParser::Strengths CaptureTextParser::survey() const {
   const std::size_t count = columns_.effects.size();
   Strengths strengths{std::vector<double>(count), std::vector<double>(count), std::vector<double>(count)};
-  const double usual = kind_ == CaptureKind::ActionUnits ? 1.0 + tolerance : surelyPercent;
+  const double usual = kind_ == CaptureKind::ActionUnits ? 1.0 + strengthTolerance : surelyPercent;
   CommaReader reader(text_);
   std::string ignored = reader.readHeader();
   while (reader.readRow())
@@ -106,7 +106,7 @@ Parser::Strengths Parser::survey() const {
 
 /// The full strength of columns that do not say theirs. A single cell beyond 1 is a slip of the tracking: it takes most
 /// of the moving columns, or a good share of the cells, to tell another scale.
-double Parser::findFullStrength(const Strengths& strengths) {
+double CaptureTextParser::findFullStrength(const Strengths& strengths) {
   double largest = 0.0, above = 0.0, moving = 0.0, columnsAbove = 0.0, columnsMoving = 0.0;
   for (std::size_t i = 0; i < columns_.effects.size(); ++i) {
     if (columns_.effects[i].full != 0.0) continue;
@@ -119,7 +119,7 @@ double Parser::findFullStrength(const Strengths& strengths) {
   const bool units = kind_ == CaptureKind::ActionUnits;
   const bool many =
       2.0 * columnsAbove > columnsMoving || above > tellingShare * moving || (units && columnsAbove >= 3.0);
-  if (!many || largest <= (units ? 1.0 + tolerance : leastPercentage)) return 1.0;
+  if (!many || largest <= (units ? 1.0 + strengthTolerance : leastPercentage)) return 1.0;
   warn(headerLine_, units ? "values go beyond 1; action units are taken as intensities 0 .. 5"
                           : "values go far beyond 1; blendshapes are taken as per cent, 0 .. 100");
   return units ? largestIntensity : largestPercentage;
@@ -127,7 +127,7 @@ double Parser::findFullStrength(const Strengths& strengths) {
 
 /// Rotations of the eyes repeat what the eyeLook shapes say, whose direction their names tell: these count where they
 /// move at all.
-void Parser::dropStandIns(const Strengths& strengths) {
+void CaptureTextParser::dropStandIns(const Strengths& strengths) {
   std::vector<CaptureColumns::Effect> kept;
   FAPMask moved;
   for (std::size_t i = 0; i < columns_.effects.size(); ++i)
@@ -144,7 +144,7 @@ void Parser::dropStandIns(const Strengths& strengths) {
 }
 
 /// Whether the face was lost in this row, or it belongs to another face.
-bool Parser::isLost(std::string& fault) const {
+bool CaptureTextParser::isLost(std::string& fault) const {
   for (const auto& flag : {columns_.success, columns_.shapeCount})
     if (flag && numberIn(reader_, *flag, fault) == 0.0) return true;
   const auto isEmpty = [&](const CaptureColumns::Effect& effect) {
@@ -153,7 +153,7 @@ bool Parser::isLost(std::string& fault) const {
   return std::all_of(columns_.effects.begin(), columns_.effects.end(), isEmpty);
 }
 
-std::string Parser::readTime() {
+std::string CaptureTextParser::readTime() {
   std::string fault;
   if (columns_.timeCode) {
     const auto& cells = reader_.cells();
@@ -173,7 +173,7 @@ std::string Parser::readTime() {
   return fault;
 }
 
-std::string Parser::readStrengths(FAPFrame& frame) {
+std::string CaptureTextParser::readStrengths(FAPFrame& frame) {
   std::string fault;
   for (const CaptureColumns::Effect& effect : columns_.effects) {
     const std::optional<double> value = numberIn(reader_, effect.column, fault);
@@ -183,7 +183,7 @@ std::string Parser::readStrengths(FAPFrame& frame) {
       return reader_.columnName(effect.column) + " is " + inQuotes(reader_.cells()[effect.column]) +
              "; give an angle in rad, within +-10";
     const double strength = effect.isAngle ? *value : std::clamp(*value / effect.full, 0.0, 1.0);
-    if (std::abs(strength - *value / effect.full) > tolerance && !std::exchange(warnedOfRange_, true))
+    if (std::abs(strength - *value / effect.full) > strengthTolerance && !std::exchange(warnedOfRange_, true))
       warn(reader_.line(), reader_.columnName(effect.column) + " is outside 0 .. " + std::to_string(int(effect.full)) +
                                "; such values are limited");
     for (const auto& [fap, full] : effect.faps) frame.setValue(fap, frame.value(fap) + strength * full);
@@ -191,12 +191,12 @@ std::string Parser::readStrengths(FAPFrame& frame) {
   return {};
 }
 
-double Parser::frameNumber(std::string& fault) const {
+double CaptureTextParser::frameNumber(std::string& fault) const {
   const double counted = static_cast<double>(sequence.frames.size());
   return columns_.frame ? numberIn(reader_, *columns_.frame, fault).value_or(counted) : counted;
 }
 
-std::string Parser::readRow() {
+std::string CaptureTextParser::readRow() {
   std::string fault;
   if (columns_.face) {
     const std::optional<double> face = numberIn(reader_, *columns_.face, fault);
@@ -247,7 +247,7 @@ double countOfSecond(const std::vector<TimeCode>& codes) {
 }
 
 /// Gives the times of the codes; their frames per second follow from the largest frame, when a second is complete.
-void Parser::placeTimeCodes() {
+void CaptureTextParser::placeTimeCodes() {
   const bool hasFrames = std::any_of(codes_.begin(), codes_.end(), [](const TimeCode& code) { return code.hasFrames; });
   const bool complete = codes_.front().seconds != codes_.back().seconds;
   double largest = countOfSecond(codes_) - 1.0;
@@ -273,7 +273,7 @@ void Parser::placeTimeCodes() {
   }
 }
 
-std::optional<FAPParseError> Parser::finish() {
+std::optional<FAPParseError> CaptureTextParser::finish() {
   if (others_ > 0) warn(firstOther_, counted(others_, "row") + " of other faces left out; the first face is used");
   if (lost_ > 0) warn(firstLost_, counted(lost_, "row") + " without a face bridged");
   FAPMask mask;
@@ -288,7 +288,7 @@ std::optional<FAPParseError> Parser::finish() {
   return std::nullopt;
 }
 
-std::optional<FAPParseError> Parser::parse() {
+std::optional<FAPParseError> CaptureTextParser::parse() {
   std::string fault = reader_.readHeader();
   if (fault.empty()) fault = bindColumns();
   while (fault.empty() && reader_.readRow()) fault = readRow();
@@ -304,7 +304,7 @@ std::optional<FAPParseError> Parser::parse() {
 
 std::optional<FAPParseError> parseCapture(std::string_view text, CaptureKind kind, const FacialActionMap& map,
                                           FAPSequence& sequence) {
-  Parser parser(text, kind, map);
+  CaptureTextParser parser(text, kind, map);
   const auto error = parser.parse();
   if (!error) sequence = std::move(parser.sequence);
   return error;

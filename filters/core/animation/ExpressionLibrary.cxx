@@ -58,7 +58,7 @@ ExpressionProfile parseExpression(const Json& json) {
   return profile;
 }
 
-std::vector<ExpressionProfile> parseRoot(const Json& root) {
+std::vector<ExpressionProfile> parseExpressions(const Json& root) {
   const Json format = root.is_object() ? root.value("format", Json()) : Json();
   if (format != "mien expressions" && format != "mien visemes")
     refuse("\"format\" is not \"mien expressions\" or \"mien visemes\"");
@@ -75,7 +75,7 @@ std::vector<ExpressionProfile> parseRoot(const Json& root) {
 std::string ExpressionLibrary::parse(const std::string& json) {
   std::vector<ExpressionProfile> expressions;
   const std::string fault =
-      parseJson(json, "expressions", faultLine_, [&](const Json& root) { expressions = parseRoot(root); });
+      parseJson(json, "expressions", faultLine_, [&](const Json& root) { expressions = parseExpressions(root); });
   if (fault.empty()) expressions_ = std::move(expressions);
   return fault;
 }

@@ -11,7 +11,7 @@ namespace mien {
 
 namespace {
 
-std::string plain(std::string_view text) {
+std::string plainColumn(std::string_view text) {
   std::string name = inSmallLetters(text);
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
@@ -23,7 +23,7 @@ std::optional<FAPColumn> findField(const std::string& name) {
   FAPFrame frame;
   int field = 0;
   visitHighLevelFields(frame, [&](std::string_view known, double&) {
-    const std::string small = plain(known);
+    const std::string small = plainColumn(known);
     if (name == small || name == small.substr(5)) found = FAPColumn{field < visemeFields ? 1 : 2, field};
     ++field;
   });
@@ -51,7 +51,7 @@ void FAPColumn::setValue(FAPFrame& frame, double value) const {
 }
 
 std::optional<FAPColumn> findFAPColumn(std::string_view text) {
-  const std::string name = plain(text);
+  const std::string name = plainColumn(text);
   if (const auto field = findField(name)) return field;
   const int number = numberAfterFAP(name);
   if (number >= FAPFrame::firstLowLevel && number <= FAPFrame::count) return FAPColumn{number};

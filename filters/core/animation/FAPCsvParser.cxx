@@ -30,9 +30,9 @@ std::string_view valueOf(std::string_view comment, std::string_view key) {
   return bareCell(key == "; name=" ? value : value.substr(0, value.find(';')));
 }
 
-class Parser {
+class FAPCsvTextParser {
  public:
-  explicit Parser(std::string_view text) : reader_(text) {}
+  explicit FAPCsvTextParser(std::string_view text) : reader_(text) {}
   std::optional<FAPParseError> parse();
   FAPSequence sequence;
 
@@ -54,7 +54,7 @@ class Parser {
   bool hasRate_ = false, warnedOfRange_ = false;
 };
 
-std::string Parser::readComment(std::string_view comment) {
+std::string FAPCsvTextParser::readComment(std::string_view comment) {
   if (comment.substr(0, formatName.size()) != formatName) return {};
   const std::string_view version = comment.substr(formatName.size(), comment.find(';') - formatName.size());
   if (parseWholeNumber(bareCell(version)) != formatVersion)
@@ -75,7 +75,7 @@ std::string Parser::readComment(std::string_view comment) {
   return {};
 }
 
-std::string Parser::bindColumn(std::size_t column, const FAPColumn& fap) {
+std::string FAPCsvTextParser::bindColumn(std::size_t column, const FAPColumn& fap) {
   const std::size_t place = fap.field < 0 ? fap.fap : FAPFrame::count + 1 + fap.field;
   if (seen_[place])
     return reader_.columnName(column) + " gives the FAP of " + reader_.columnName(*seen_[place]) +
@@ -85,14 +85,14 @@ std::string Parser::bindColumn(std::size_t column, const FAPColumn& fap) {
   return {};
 }
 
-std::string Parser::setOnce(std::optional<std::size_t>& place, std::size_t column) const {
+std::string FAPCsvTextParser::setOnce(std::optional<std::size_t>& place, std::size_t column) const {
   if (place)
     return reader_.columnName(column) + " says again what " + reader_.columnName(*place) + " says; remove one of them";
   place = column;
   return {};
 }
 
-std::string Parser::bindColumns() {
+std::string FAPCsvTextParser::bindColumns() {
   std::vector<std::string> unused;
   const auto& header = reader_.header();
   for (std::size_t column = 0; column < header.size(); ++column) {
@@ -114,7 +114,7 @@ std::string Parser::bindColumns() {
   return {};
 }
 
-std::string Parser::readRow() {
+std::string FAPCsvTextParser::readRow() {
   std::string fault = describeWidth(reader_);
   FAPFrame frame;
   FAPMask mask;
@@ -143,7 +143,7 @@ std::string Parser::readRow() {
   return fault;
 }
 
-std::optional<FAPParseError> Parser::parse() {
+std::optional<FAPParseError> FAPCsvTextParser::parse() {
   std::string fault = reader_.readHeader();
   for (const std::string_view comment : reader_.comments())
     if (fault.empty()) fault = readComment(comment);
@@ -163,7 +163,7 @@ std::optional<FAPParseError> Parser::parse() {
 }  // namespace
 
 std::optional<FAPParseError> parseFAPCsv(std::string_view text, FAPSequence& sequence) {
-  Parser parser(text);
+  FAPCsvTextParser parser(text);
   const auto error = parser.parse();
   if (!error) sequence = std::move(parser.sequence);
   return error;

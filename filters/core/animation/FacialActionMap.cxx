@@ -43,7 +43,7 @@ std::vector<CaptureAction> parseActions(const Json& root, const char* group) {
   return actions;
 }
 
-std::string plain(std::string_view name) {
+std::string plainAction(std::string_view name) {
   const bool shortSide = name.size() > 2 && (name[name.size() - 2] == '_' || name[name.size() - 2] == '-');
   const char side = shortSide ? inSmallLetters(name.substr(name.size() - 1))[0] : ' ';
   std::string text(side == 'l' || side == 'r' ? name.substr(0, name.size() - 2) : name);
@@ -86,9 +86,9 @@ std::string FacialActionMap::parse(const std::string& json) {
 }
 
 const CaptureAction* findAction(const std::vector<CaptureAction>& actions, std::string_view name) {
-  const std::string wanted = plain(name);
+  const std::string wanted = plainAction(name);
   const auto found = std::find_if(actions.begin(), actions.end(),
-                                  [&](const CaptureAction& action) { return plain(action.name) == wanted; });
+                                  [&](const CaptureAction& action) { return plainAction(action.name) == wanted; });
   return found == actions.end() ? nullptr : &*found;
 }
 

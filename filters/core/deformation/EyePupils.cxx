@@ -10,7 +10,7 @@ namespace mien {
 namespace {
 
 /// A connected part of the mesh.
-struct Part {
+struct ConnectedPart {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::AlignedBox3d box;
   int count = 0;
@@ -19,10 +19,10 @@ struct Part {
 };
 
 /// Named by one of their vertices.
-using Parts = std::map<int, Part>;
+using Parts = std::map<int, ConnectedPart>;
 
-const Part* eyeball(const Parts& parts, const Eigen::Vector3d& eye, double width) {
-  const Part* best = nullptr;
+const ConnectedPart* eyeball(const Parts& parts, const Eigen::Vector3d& eye, double width) {
+  const ConnectedPart* best = nullptr;
   for (const auto& [name, part] : parts)
     if ((part.middle() - eye).norm() < width && (!best || part.count > best->count)) best = &part;
   return best;
@@ -31,7 +31,7 @@ const Part* eyeball(const Parts& parts, const Eigen::Vector3d& eye, double width
 Parts partsOf(const MeshVertices& vertices, JoinedSets& sets) {
   Parts parts;
   for (Eigen::Index i = 0; i < vertices.rows(); ++i) {
-    Part& part = parts[sets.find(static_cast<int>(i))];
+    ConnectedPart& part = parts[sets.find(static_cast<int>(i))];
     part.sum += vertices.row(i).transpose();
     part.box.extend(vertices.row(i).transpose());
     ++part.count;
@@ -56,12 +56,12 @@ EyePupils eyePupils(const MeshVertices& vertices, const MeshEdges& edges, const 
     return eyeball(parts, middleOf(first),
                    (vertices.row(landmarks[first]) - vertices.row(landmarks[first + 3])).norm());
   };
-  const Part *left = ballOf(42), *right = ballOf(36);
+  const ConnectedPart *left = ballOf(42), *right = ballOf(36);
   if (inEyes) {
     inEyes->assign(static_cast<std::size_t>(vertices.rows()), false);
     for (Eigen::Index i = 0; i < vertices.rows(); ++i) {
       const auto part = parts.find(sets.find(static_cast<int>(i)));
-      for (const Part* ball : {left, right})
+      for (const ConnectedPart* ball : {left, right})
         if (ball && part != parts.end() && ball->box.contains(part->second.box)) (*inEyes)[i] = true;
     }
   }

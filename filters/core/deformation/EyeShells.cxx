@@ -16,13 +16,13 @@ constexpr double smallestRadius = 0.2, largestRadius = 0.8;  // pupil units; tho
 constexpr double beside = 0.35;                              // a centre from its pupil, pupil units
 constexpr double roughness = 0.1;  // of the radius; those of the reference heads are 0.045, 0.04
 
-struct Part {
+struct ShellPart {
   std::vector<int> vertices;
   Eigen::AlignedBox3d box;
 };
 
 /// The sphere of least squares: |p|^2 = 2 c p + (r^2 - c^2), about the middle of the box.
-bool isShell(const MeshVertices& vertices, const Part& part) {
+bool isShell(const MeshVertices& vertices, const ShellPart& part) {
   if (part.vertices.size() < fewest || part.box.sizes().maxCoeff() > 2.5 * largestRadius) return false;
   const Eigen::Vector3d middle = part.box.center();
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
@@ -48,18 +48,18 @@ bool isShell(const MeshVertices& vertices, const Part& part) {
 std::vector<bool> eyeShells(const MeshVertices& vertices, const MeshEdges& edges) {
   JoinedSets sets(static_cast<std::size_t>(vertices.rows()));
   for (const auto& edge : edges) sets.join(edge[0], edge[1]);
-  std::map<int, Part> parts;
+  std::map<int, ShellPart> parts;
   for (Eigen::Index i = 0; i < vertices.rows(); ++i) {
-    Part& part = parts[sets.find(static_cast<int>(i))];
+    ShellPart& part = parts[sets.find(static_cast<int>(i))];
     part.vertices.push_back(static_cast<int>(i));
     part.box.extend(vertices.row(i).transpose());
   }
-  std::vector<const Part*> shells;
+  std::vector<const ShellPart*> shells;
   for (const auto& [name, part] : parts)
     if (isShell(vertices, part)) shells.push_back(&part);
   std::vector<bool> inEyes(static_cast<std::size_t>(vertices.rows()), false);
   for (const auto& [name, part] : parts)
-    for (const Part* shell : shells)
+    for (const ShellPart* shell : shells)
       if (shell->box.contains(part.box))
         for (const int i : part.vertices) inEyes[i] = true;
   return inEyes;

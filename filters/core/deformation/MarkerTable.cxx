@@ -18,7 +18,7 @@ using Cells = std::vector<std::string>;
 const std::array<const char*, 6> positionNames = {"neutral_x",    "neutral_y",    "neutral_z",
                                                   "expression_x", "expression_y", "expression_z"};
 
-struct Columns {
+struct MarkerColumns {
   std::size_t count = 0;
   int marker = -1, region = -1;
   std::array<int, 6> positions{};
@@ -40,7 +40,7 @@ struct Columns {
 using Seen = std::array<bool, 2>;  // neutral and expression
 
 /// One row; `seen` is false in a state with blank cells.
-std::string parseRow(const Cells& cells, const Columns& columns, const MarkerOptions& options, Marker& marker,
+std::string parseRow(const Cells& cells, const MarkerColumns& columns, const MarkerOptions& options, Marker& marker,
                      Seen& seen) {
   if (cells.size() != columns.count)
     return "there are " + std::to_string(cells.size()) + " cells under " + std::to_string(columns.count) +
@@ -75,8 +75,8 @@ struct PupilRow {
 };
 
 /// The rows of a file before the pupils are taken out.
-struct Rows {
-  Columns columns;
+struct MarkerRows {
+  MarkerColumns columns;
   MarkerTable table;
   PupilRow left, right;
   int last = 1;
@@ -113,7 +113,7 @@ std::string at(int line, const std::string& fault) {
 using Where = std::function<std::string(int state, int line, const std::string& fault)>;
 
 /// The pupils of one state: by place where the options say so, else those of the rows.
-std::string setPupils(const Rows& rows, int state, const MarkerOptions& options, const Where& where,
+std::string setPupils(const MarkerRows& rows, int state, const MarkerOptions& options, const Where& where,
                       PupilNormalisation& normalisation) {
   if (const auto& places = state == 0 ? options.neutralPupils : options.expressionPupils) {
     const std::string fault = normalisation.set(options.upright(places->left), options.upright(places->right));
@@ -127,7 +127,7 @@ std::string setPupils(const Rows& rows, int state, const MarkerOptions& options,
   return fault.empty() ? "" : where(state, rows.left.lines[state], fault);
 }
 
-std::string normalise(Rows& rows, const MarkerOptions& options, const Where& where) {
+std::string normalise(MarkerRows& rows, const MarkerOptions& options, const Where& where) {
   MarkerTable& table = rows.table;
   std::string fault = setPupils(rows, 0, options, where, table.neutral);
   if (fault.empty()) fault = setPupils(rows, 1, options, where, table.expression);
@@ -144,7 +144,7 @@ std::string normalise(Rows& rows, const MarkerOptions& options, const Where& whe
 
 std::string MarkerTable::parse(const std::string& text, const MarkerOptions& options) {
   LineReader lines(text);
-  Rows rows;
+  MarkerRows rows;
   std::string fault = rows.columns.find(lines.next() ? splitAtCommas(lines.line()) : Cells());
   if (!fault.empty()) return at(std::max(lines.number(), 1), fault);
   while (lines.next()) {
@@ -167,7 +167,7 @@ std::string MarkerTable::join(const PointTable& before, const PointTable& after,
     return names[0] + " and " + names[1] + ": one has a column z and the other none; give z in both or in neither";
   std::map<std::string, const NamedPoint*> moved;
   for (const NamedPoint& point : after.points) moved[point.name] = &point;
-  Rows rows;
+  MarkerRows rows;
   for (const NamedPoint& point : before.points) {
     const auto found = moved.find(point.name);
     const NamedPoint* other = found == moved.end() ? nullptr : found->second;

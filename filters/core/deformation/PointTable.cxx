@@ -15,7 +15,7 @@ namespace {
 const std::array<const char*, 3> axisNames = {"x", "y", "z"};
 constexpr const char* noHeader = "the header must name marker, x and y";
 
-struct Columns {
+struct PointColumns {
   std::size_t count = 0;
   int marker = -1, region = -1;
   std::array<int, 3> axes{};
@@ -29,7 +29,7 @@ struct Columns {
   }
 };
 
-std::string parsePosition(const std::vector<std::string>& cells, const Columns& columns, NamedPoint& point) {
+std::string parsePosition(const std::vector<std::string>& cells, const PointColumns& columns, NamedPoint& point) {
   point.seen = true;
   for (int i = 0; i < 3; ++i) {
     if (columns.axes[i] < 0) continue;
@@ -43,7 +43,7 @@ std::string parsePosition(const std::vector<std::string>& cells, const Columns& 
   return {};
 }
 
-std::string parsePoint(const std::vector<std::string>& cells, const Columns& columns, NamedPoint& point) {
+std::string parsePoint(const std::vector<std::string>& cells, const PointColumns& columns, NamedPoint& point) {
   if (cells.size() != columns.count)
     return "there are " + std::to_string(cells.size()) + " cells under " + std::to_string(columns.count) +
            " columns; give one for each, blank where a marker was not seen";
@@ -76,7 +76,7 @@ std::optional<int> parseRegion(const std::string& cell) {
 
 std::string PointTable::parse(const std::string& text, const MarkerOptions& options) {
   LineReader lines(text);
-  Columns columns;
+  PointColumns columns;
   PointTable parsed;
   std::set<std::string> names;
   std::string fault = lines.next() ? columns.find(splitAtCommas(lines.line())) : noHeader;

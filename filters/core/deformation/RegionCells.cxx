@@ -7,7 +7,7 @@ namespace mien {
 namespace {
 
 constexpr int directions = 180;
-constexpr double furthest = 50.0;  // pupil units, beyond any outline a face can have
+constexpr double beyondAnyOutline = 50.0;  // pupil units, beyond any outline a face can have
 
 Eigen::Vector2d middleOf(const FacialRegions& regions) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -35,7 +35,7 @@ PlanePolygon faceOutline(const FacialRegions& regions) {
   for (int i = 0; i < directions; ++i) {
     const double angle = 2.0 * 3.14159265358979323846 * i / directions;
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-    double inside = 0.0, outside = furthest;
+    double inside = 0.0, outside = beyondAnyOutline;
     while (outside - inside > 1e-9) {
       const double half = 0.5 * (inside + outside);
       (regions.outlineWeight(middle + half * direction) > 0.5 ? inside : outside) = half;

@@ -8,7 +8,6 @@ namespace mien {
 namespace {
 
 using Coefficients = QuadraticMap::Coefficients;
-constexpr int regionCount = DeformationTable::regionCount;
 constexpr double leastDifference = 5e-3;  // of the largest coefficient of a map, to count
 
 }  // namespace
@@ -17,7 +16,7 @@ DeformationTable meanTable(const std::vector<DeformationTable>& tables) {
   DeformationTable mean;
   mean.counts.emplace();
   if (tables.size() > 1) mean.deviations.emplace();
-  for (int i = 0; i < regionCount; ++i) {
+  for (int i = 0; i < DeformationTable::regionCount; ++i) {
     std::vector<Coefficients> known;
     for (const DeformationTable& table : tables)
       if (table.knows(i + 1)) known.push_back(table.maps[i].coefficients);
@@ -56,7 +55,7 @@ int sideOfRange(const DeformationTable& fit, const DeformationTable& mean, int r
 
 std::vector<int> outsideRange(const DeformationTable& fit, const DeformationTable& mean) {
   std::vector<int> outside;
-  for (int i = 0; i < 12 * regionCount; ++i) {
+  for (int i = 0; i < 12 * DeformationTable::regionCount; ++i) {
     const int region = i / 12 + 1;
     if (isCompared(fit, mean, region) && sideOfRange(fit, mean, region, i % 12) != 0) outside.push_back(i);
   }

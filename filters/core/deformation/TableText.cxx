@@ -20,7 +20,7 @@ constexpr int largestCount = 1'000'000;  // of recordings
 constexpr const char* beyondLimit =
     " is beyond -100 .. 100, which no face reaches; coefficients are in units of half the distance between the pupils";
 
-struct Columns {
+struct TableColumns {
   std::size_t count = 0;
   int region = -1, displacement = -1, n = -1;
   std::array<int, coefficientCount> values{}, deviations{};
@@ -45,8 +45,8 @@ struct Columns {
 };
 
 /// Collects the rows of a table.
-struct Rows {
-  Columns columns;
+struct TableRows {
+  TableColumns columns;
   DeformationTable table;
   std::array<bool, DeformationTable::regionCount> seen{};
 
@@ -106,7 +106,7 @@ struct Rows {
 std::string parseTable(const std::string& text, DeformationTable& table) {
   LineReader lines(text);
   if (!lines.next()) return "1: the file is empty; give a header and 16 rows";
-  Rows rows;
+  TableRows rows;
   std::string fault = rows.columns.find(splitAtCommas(lines.line()));
   if (rows.columns.hasDeviations) rows.table.deviations.emplace();
   if (rows.columns.n >= 0) rows.table.counts.emplace();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "Degree.h"
 #include "FaceLayout.h"
 #include "NumberText.h"
 
@@ -11,7 +12,6 @@ namespace mien {
 namespace {
 
 constexpr double midlineTolerance = 1e-9;  // radians
-constexpr double degree = M_PI / 180.0;
 
 /// 1 at 0, 0 from 1 on, smooth.
 double fallOff(double t) {

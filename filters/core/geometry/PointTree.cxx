@@ -6,7 +6,7 @@ namespace mien {
 
 namespace {
 
-constexpr int leafSize = 8;
+constexpr int pointsPerLeaf = 8;
 
 }  // namespace
 
@@ -23,7 +23,7 @@ PointTree::PointTree(const Points& points) : points_(points), axis_(static_cast<
 }
 
 void PointTree::build(int begin, int end) {
-  if (end - begin <= leafSize) return;
+  if (end - begin <= pointsPerLeaf) return;
   Eigen::RowVector3d low = points_.row(order_[begin]), high = low;
   for (int i = begin + 1; i < end; ++i) {
     low = low.cwiseMin(points_.row(order_[i]));
@@ -46,7 +46,7 @@ void PointTree::descend(int begin, int end, Search& search) const {
     search.squared = squared;
     search.found = order_[i];
   };
-  if (end - begin <= leafSize) {
+  if (end - begin <= pointsPerLeaf) {
     for (int i = begin; i < end; ++i) look(i);
     return;
   }

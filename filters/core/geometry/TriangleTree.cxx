@@ -6,7 +6,7 @@ namespace mien {
 
 namespace {
 
-constexpr int leafSize = 4;
+constexpr int trianglesPerLeaf = 4;
 constexpr double thinnest = 1e-24;  // twice the area over the longest edge, squared twice: rounding beyond that
 
 using Vector = Eigen::Vector3d;
@@ -76,7 +76,7 @@ int TriangleTree::build(int begin, int end) {
     middles.extend(Vector(face.a + face.b + face.c));
   }
   nodes_.push_back({box, begin, end, -1});
-  if (end - begin <= leafSize) return node;
+  if (end - begin <= trianglesPerLeaf) return node;
   int axis = 0;
   middles.sizes().maxCoeff(&axis);
   const int middle = (begin + end) / 2;

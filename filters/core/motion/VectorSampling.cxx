@@ -15,7 +15,7 @@ using Places = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
 constexpr double closest = 0.75;   // of the spacing: vertices near neighbouring points of the lattice both are kept
 constexpr double peakShare = 0.5;  // of the longest
-constexpr double rounding = 1e-6;  // of the spacing: mirrored vertices are equally far from the lattice
+constexpr double latticeRounding = 1e-6;  // of the spacing: mirrored vertices are equally far from the lattice
 
 /// Distance to the nearest point of the hexagonal lattice with rows along the first axis and a point at the origin.
 double distanceToLattice(const Eigen::Vector2d& place, double spacing) {
@@ -42,7 +42,7 @@ class ChosenPlaces {
         const auto found = cells_.find({i, j});
         if (found == cells_.end()) continue;
         for (const int other : found->second)
-          if ((places_.row(other) - places_.row(vertex)).norm() < spacing_ * (1.0 - rounding)) return true;
+          if ((places_.row(other) - places_.row(vertex)).norm() < spacing_ * (1.0 - latticeRounding)) return true;
       }
     return false;
   }
@@ -80,7 +80,7 @@ std::vector<int> evenly(const std::vector<int>& candidates, const Places& places
     for (const int vertex : peaks(candidates, places, spacing, lengths)) order.emplace_back(-1.0, vertex);
   for (const int vertex : candidates) {
     const double distance = distanceToLattice(places.row(vertex), spacing) / spacing;
-    order.emplace_back(std::round(distance / rounding), vertex);
+    order.emplace_back(std::round(distance / latticeRounding), vertex);
   }
   std::sort(order.begin(), order.end());
   ChosenPlaces near(places, closest * spacing);

@@ -10,23 +10,23 @@ namespace {
 const std::vector<double> factors = {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
 const std::vector<double> rangeFactors = {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
 const std::vector<double> tickFactors = {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0};
-constexpr double rounding = 1e-9;  // a number that misses a round one by rounding is it
+constexpr double tickRounding = 1e-9;  // a number that misses a round one by rounding is it
 
 double nextOf(const std::vector<double>& factors, double number) {
   const int power = static_cast<int>(std::floor(std::log10(number)));
   const double unit = std::pow(10.0, std::abs(power));
   const auto scaled = [&](double factor) { return power < 0 ? factor / unit : factor * unit; };  // 0.2, not 0.2 + 1e-17
   for (const double factor : factors)
-    if (number <= scaled(factor) * (1.0 + rounding)) return scaled(factor);
+    if (number <= scaled(factor) * (1.0 + tickRounding)) return scaled(factor);
   return scaled(10.0);
 }
 
 bool isRound(double step) {
-  return std::abs(nextOf(tickFactors, step) - step) <= rounding * step;
+  return std::abs(nextOf(tickFactors, step) - step) <= tickRounding * step;
 }
 
 bool isMultiple(double value, double step) {
-  return std::abs(value / step - std::round(value / step)) <= rounding * std::max(1.0, std::abs(value / step));
+  return std::abs(value / step - std::round(value / step)) <= tickRounding * std::max(1.0, std::abs(value / step));
 }
 
 /// Ends, and multiples of a round step at least half a step away from them.
@@ -46,8 +46,8 @@ double roundAbove(double number) {
 
 double roundBelow(double number) {
   const double above = roundAbove(number);
-  if (above <= number * (1.0 + rounding)) return above;
-  const double power = std::pow(10.0, std::floor(std::log10(above) + rounding)), factor = std::round(above / power);
+  if (above <= number * (1.0 + tickRounding)) return above;
+  const double power = std::pow(10.0, std::floor(std::log10(above) + tickRounding)), factor = std::round(above / power);
   return factor == 5.0 ? above / 2.5 : above / 2.0;
 }
 

@@ -10,12 +10,12 @@ namespace {
 /// Highest derivative of a basis that is ever asked for, and the relative size below which a term of a series is left
 /// out.
 constexpr int largestDerivative = 16;
-constexpr Extended negligible = 1e-36L;
+constexpr Extended negligibleTerm = 1e-36L;
 
 /// Terms after which, at |u - 1/2| <= 1/2, all others are below 1e-30 of the sum: 70 at the largest rate and order 4.
 int seriesLength(Extended rate, int order) {
   int length = 0;
-  for (Extended term = 1; term > negligible; term *= rate / 2 / length) ++length;
+  for (Extended term = 1; term > negligibleTerm; term *= rate / 2 / length) ++length;
   return length + order + largestDerivative;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "FaceFrame.h"
+#include "FaceLines.h"
 #include "FaceOptions.h"
 #include "FacePipeline.h"
 #include "Failure.h"
@@ -16,7 +17,6 @@ namespace mien {
 namespace {
 
 constexpr int rows = 164, columns = 160;  // points every 0.1 pupil units in front, an arrow's place to half of that
-constexpr double furthestBack = -1.6;     // z of what is still seen from the front, pupil units
 
 /// The point of the face that is nearest to each place of a lattice around the middle of the pupils.
 class Lattice {
@@ -39,7 +39,7 @@ class Lattice {
   std::map<std::pair<int, int>, std::pair<double, vtkIdType>> nearest_;
 };
 
-FaceFrame frameOf(vtkStructuredGrid* grid, const FacialRegions& regions) {
+FaceFrame genericFrameOf(vtkStructuredGrid* grid, const FacialRegions& regions) {
   FaceFrame frame;
   const std::string fault = readFaceFrame(grid, {}, regions, frame);
   if (!fault.empty()) throw FileFailure("generic face: " + fault);
@@ -55,7 +55,7 @@ FaceArrows genericFaceArrows(const DeformationTable& table, const DeformationOpt
   face.apply(pipeline);
   updateOrThrow(pipeline);
   const FacialRegions regions = options.reading.regions();
-  const FaceFrame frame = frameOf(pipeline.grid(), regions);
+  const FaceFrame frame = genericFrameOf(pipeline.grid(), regions);
   DeformationOptions own = options;
   own.reading = own.reading.regionsOnly();
   const auto moved = deformSurface(pipeline.grid(), table, own, "generic face");

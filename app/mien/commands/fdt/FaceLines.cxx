@@ -12,8 +12,6 @@ namespace mien {
 
 namespace {
 
-constexpr double furthestBack = -1.6;  // z of what is still seen from the front, pupil units
-
 /// The parts of a line, a row for each point in mm, that are seen within the face's outline.
 void addSeen(const ClosedCurves::Points& line, const PupilNormalisation& pupils, const FacialRegions& regions,
              std::vector<QPolygonF>& parts) {

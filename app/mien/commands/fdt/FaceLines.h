@@ -7,6 +7,9 @@
 
 namespace mien {
 
+/// z of what is still seen of a face from the front, pupil units.
+constexpr double furthestBack = -1.6;
+
 /// Lines of the generic face as seen from the front, in pupil units: the parts within the face's outline.
 struct FaceLines {
   std::vector<QPolygonF> curves;    ///< its boundary curves

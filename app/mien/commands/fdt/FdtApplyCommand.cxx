@@ -23,7 +23,7 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct FdtApplyCommandOptions {
   std::vector<std::string> inputs;
   std::string outputFile, strength = "1";
   bool json = false;
@@ -41,7 +41,7 @@ struct Movement {
   }
 };
 
-Movement moveMarkers(const Options& options, const std::string& file, const DeformationTable& table) {
+Movement moveMarkers(const FdtApplyCommandOptions& options, const std::string& file, const DeformationTable& table) {
   PointTable points = readPoints(file, options.deformation.reading);
   const PointTable before = points;
   deformMarkers(points, table, options.deformation, file);
@@ -52,7 +52,7 @@ Movement moveMarkers(const Options& options, const std::string& file, const Defo
   return movement;
 }
 
-Movement moveSurface(const Options& options, const std::string& file, const DeformationTable& table) {
+Movement moveSurface(const FdtApplyCommandOptions& options, const std::string& file, const DeformationTable& table) {
   const auto surface = readWholeMesh(file);
   const auto moved = deformSurface(vtkPointSet::SafeDownCast(surface), table, options.deformation, file);
   vtkDataArray* moves = moved->GetPointData()->GetArray("Displacement");
@@ -67,7 +67,7 @@ Movement moveSurface(const Options& options, const std::string& file, const Defo
 }
 
 /// The face is the last of the inputs; the tables stand before it.
-void check(const Options& options, bool markers) {
+void check(const FdtApplyCommandOptions& options, bool markers) {
   if (options.inputs.size() < 2)
     throw ValueFailure("give a table and a face: mien fdt apply joy head.ply -o smiling.ply");
   requireEnding(options.outputFile, markers ? std::vector<std::string>{"csv"} : surfaceEndings());
@@ -78,7 +78,7 @@ void check(const Options& options, bool markers) {
     throw ValueFailure("--landmarks is for surfaces; markers are told by their names");
 }
 
-void print(const Options& options, const Movement& movement) {
+void print(const FdtApplyCommandOptions& options, const Movement& movement) {
   if (options.json) {
     const nlohmann::ordered_json about = {{"file", options.inputs.back()},
                                           {"output", options.outputFile},
@@ -92,8 +92,8 @@ void print(const Options& options, const Movement& movement) {
             << readableNumber(movement.largest) << " in the file's unit\n";
 }
 
-void run(const Options& given) {
-  Options options = given;
+void run(const FdtApplyCommandOptions& given) {
+  FdtApplyCommandOptions options = given;
   const std::string face = options.inputs.back();
   const bool markers = fileEnding(face) == "csv";
   check(options, markers);
@@ -111,7 +111,7 @@ void run(const Options& given) {
 }  // namespace
 
 void addFdtApplyCommand(CLI::App& parent) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FdtApplyCommandOptions>();
   CLI::App* command = parent.add_subcommand("apply", "Move markers or any head by a table, or several");
   command
       ->add_option("inputs", options->inputs,

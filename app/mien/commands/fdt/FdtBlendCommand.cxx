@@ -9,12 +9,12 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct FdtBlendCommandOptions {
   std::vector<std::string> tables;
   TableOutput output;
 };
 
-void run(const Options& options) {
+void run(const FdtBlendCommandOptions& options) {
   options.output.check();
   const DeformationTable table = readWeightedTables(options.tables);
   std::string names;
@@ -31,7 +31,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addFdtBlendCommand(CLI::App& parent) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FdtBlendCommandOptions>();
   CLI::App* command = parent.add_subcommand("blend", "Add the displacements of tables, each times its weight");
   command->add_option("tables", options->tables, "TABLE[:WEIGHT] .., weights -2 .. 2, 1 without one")->required();
   options->output.addTo(*command, "Table to write, FILE.csv", true);

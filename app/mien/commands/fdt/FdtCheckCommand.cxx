@@ -14,7 +14,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct FdtCheckCommandOptions {
   std::string fit, against;
   MarkerFileOptions reading;
   TableOutput output;
@@ -36,7 +36,7 @@ int comparedCoefficients(const DeformationTable& fit, const DeformationTable& me
   return 12 * regions;
 }
 
-void run(const Options& options) {
+void run(const FdtCheckCommandOptions& options) {
   options.output.check();
   const FacialRegions regions = options.reading.regions();
   const DeformationTable mean = readTable(options.against);
@@ -65,7 +65,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addFdtCheckCommand(CLI::App& parent) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FdtCheckCommandOptions>();
   CLI::App* command = parent.add_subcommand("check", "List the coefficients outside mean +- standard deviation");
   command->add_option("fit", options->fit, "Table, or a recording that is fitted")->required();
   command->add_option("--against", options->against, "Mean table with standard deviations")->required();

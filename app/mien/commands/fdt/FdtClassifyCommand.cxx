@@ -17,7 +17,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct FdtClassifyCommandOptions {
   std::vector<std::string> inputs;
   std::vector<std::string> against;
   MarkerFileOptions reading;
@@ -25,7 +25,7 @@ struct Options {
 };
 
 /// The tables to compare with: those given, else the compiled in ones that have deviations, which are means.
-std::vector<std::string> candidates(const Options& options) {
+std::vector<std::string> candidates(const FdtClassifyCommandOptions& options) {
   std::vector<std::string> names = options.against;
   for (std::size_t i = 0; i < names.size(); ++i)
     if (std::find(names.begin(), names.begin() + i, names[i]) != names.begin() + i)
@@ -42,7 +42,8 @@ struct Candidates {
   std::vector<DeformationTable> means;
   FacialRegions regions;
 
-  explicit Candidates(const Options& options) : names(candidates(options)), regions(options.reading.regions()) {
+  explicit Candidates(const FdtClassifyCommandOptions& options)
+      : names(candidates(options)), regions(options.reading.regions()) {
     for (const std::string& name : names) means.push_back(readTable(name));
   }
 };
@@ -83,7 +84,7 @@ Report reportStill(const std::string& file) {
   return report;
 }
 
-Report classify(const std::string& file, const Options& options, const Candidates& with) {
+Report classify(const std::string& file, const FdtClassifyCommandOptions& options, const Candidates& with) {
   const TableInput input = readTableOrRecording(file, options.reading, with.regions);
   options.reading.refuseForTables(input.markers.has_value(), file);
   if (fittedDisplacement(input.table, with.regions) < leastRecognisedMovement) return reportStill(file);
@@ -108,7 +109,7 @@ Report classify(const std::string& file, const Options& options, const Candidate
 }
 
 /// A row for each input: the nearest expression and the one after it.
-Report classifyAll(const Options& options, const Candidates& with) {
+Report classifyAll(const FdtClassifyCommandOptions& options, const Candidates& with) {
   Report all;
   all.rows = all.json = json::array();
   for (const std::string& file : options.inputs) {
@@ -127,7 +128,7 @@ Report classifyAll(const Options& options, const Candidates& with) {
   return all;
 }
 
-void run(const Options& options) {
+void run(const FdtClassifyCommandOptions& options) {
   options.output.check();
   const Candidates with(options);
   const Report report =
@@ -139,7 +140,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addFdtClassifyCommand(CLI::App& parent) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FdtClassifyCommandOptions>();
   CLI::App* command = parent.add_subcommand("classify", "Name the expression of a recording or a table");
   command
       ->add_option("inputs", options->inputs,

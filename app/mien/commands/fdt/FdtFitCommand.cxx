@@ -16,7 +16,7 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct FdtFitCommandOptions {
   std::string recording, neutral, expression, landmarks;
   MarkerFileOptions reading;
   TableOutput output;
@@ -25,7 +25,7 @@ struct Options {
   std::string source() const { return recording.empty() ? neutral + ", " + expression : recording; }
 };
 
-void check(const Options& options) {
+void check(const FdtFitCommandOptions& options) {
   const bool pair = !options.neutral.empty() && !options.expression.empty();
   if (options.recording.empty() != pair || (!options.recording.empty() && !options.neutral.empty()))
     throw ValueFailure("give one recording RECORDING.csv, or a face before and after with --neutral and --expression");
@@ -37,7 +37,7 @@ void check(const Options& options) {
     throw ValueFailure("--landmarks is for surfaces; markers are told by their names");
 }
 
-FittedTable fitPair(const Options& options, const FacialRegions& regions) {
+FittedTable fitPair(const FdtFitCommandOptions& options, const FacialRegions& regions) {
   if (fileEnding(options.neutral) != "csv") {
     const auto before = readMesh(options.neutral), after = readMesh(options.expression);
     return fitSurfaces(vtkPointSet::SafeDownCast(before), vtkPointSet::SafeDownCast(after), options.reading,
@@ -52,7 +52,7 @@ FittedTable fitPair(const Options& options, const FacialRegions& regions) {
   return fitMarkers(markers, regions, options.strict, options.source());
 }
 
-void run(const Options& options) {
+void run(const FdtFitCommandOptions& options) {
   check(options);
   options.output.check();
   const FacialRegions regions = options.reading.regions();
@@ -78,7 +78,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addFdtFitCommand(CLI::App& parent) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FdtFitCommandOptions>();
   CLI::App* command = parent.add_subcommand("fit", "Fit a table to a face before and after");
   command->add_option("recording", options->recording,
                       "Markers before and after, FILE.csv: marker, neutral_x, neutral_y, expression_x, expression_y, "

@@ -27,7 +27,7 @@ using json = nlohmann::ordered_json;
 // Fine enough that each region has hundreds of points, on rows that all lie on curves or between them.
 constexpr int defaultRows = 164, defaultColumns = 160;
 
-struct Options {
+struct FdtFromFapCommandOptions {
   std::string expressions;
   FaceOptions face;
   MarkerFileOptions reading;
@@ -84,7 +84,7 @@ Report reportOf(const FittedTable& fitted, const Depths& depths, const FacialReg
   return report;
 }
 
-void run(Options& options) {
+void run(FdtFromFapCommandOptions& options) {
   options.output.check();
   const FacialRegions regions = options.reading.regions();
   if (!options.expressions.empty()) options.face.setExpressions(options.expressions);
@@ -119,7 +119,7 @@ void run(Options& options) {
 }  // namespace
 
 void addFdtFromFapCommand(CLI::App& parent) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FdtFromFapCommandOptions>();
   CLI::App* command = parent.add_subcommand("from-fap", "Fit a table to a FAP expression or frame of the PDE face");
   CLI::Option* expressions = command->add_option(
       "expressions", options->expressions, "Expressions with intensities, such as joy:0.8 or joy:0.6,surprise:0.4");

@@ -13,7 +13,7 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct FdtMeanCommandOptions {
   std::vector<std::string> files;
   std::string comment;
   MarkerFileOptions reading;
@@ -56,7 +56,7 @@ std::string describeGaps(const DeformationTable& mean, std::size_t tables) {
                       : "some have no markers in these regions, whose means are those of the others (n): " + text;
 }
 
-void run(const Options& options) {
+void run(const FdtMeanCommandOptions& options) {
   options.output.check();
   const FacialRegions regions = options.reading.regions();
   std::vector<DeformationTable> tables;
@@ -99,7 +99,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addFdtMeanCommand(CLI::App& parent) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FdtMeanCommandOptions>();
   CLI::App* command = parent.add_subcommand("mean", "Average tables, with standard deviations");
   command->add_option("files", options->files, "Tables, or recordings that are fitted on the way")->required();
   options->output.addTo(*command, "Table to write, FILE.csv", true);

@@ -9,13 +9,13 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct FdtMirrorCommandOptions {
   std::string table;
   MarkerFileOptions reading;
   TableOutput output;
 };
 
-void run(const Options& options) {
+void run(const FdtMirrorCommandOptions& options) {
   options.output.check();
   const FacialRegions regions = options.reading.regions();
   const DeformationTable table = readTable(options.table), mirrored = regions.mirrored(table);
@@ -41,7 +41,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addFdtMirrorCommand(CLI::App& parent) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FdtMirrorCommandOptions>();
   CLI::App* command = parent.add_subcommand("mirror", "The table of the mirrored face");
   command->add_option("table", options->table, "Table")->required();
   options->output.addTo(*command, "Table to write, FILE.csv", true);

@@ -24,12 +24,12 @@ namespace mien {
 
 namespace {
 
-struct Options {
+struct FdtPackCommandOptions {
   std::string table, outputFile, bits = "16";
   bool json = false;
 };
 
-int bitsOf(const Options& options) {
+int bitsOf(const FdtPackCommandOptions& options) {
   const int bits = parseWholeNumber("--bits", options.bits);
   if (bits != 8 && bits != 16) throw ValueFailure("--bits " + options.bits + " is not allowed; give 8 or 16");
   return bits;
@@ -52,7 +52,7 @@ struct FaceError {
   }
 };
 
-void run(const Options& options) {
+void run(const FdtPackCommandOptions& options) {
   const int bits = bitsOf(options);
   requireEnding(options.outputFile, {"fdt"});
   const DeformationTable table = readTable(options.table);
@@ -84,7 +84,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addFdtPackCommand(CLI::App& parent) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FdtPackCommandOptions>();
   CLI::App* command = parent.add_subcommand("pack", "Write a table in fixed point, a few hundred bytes");
   command->add_option("table", options->table, "Table")->required();
   command->add_option("--bits", options->bits, "Bits of each coefficient: 8 or 16")->capture_default_str();

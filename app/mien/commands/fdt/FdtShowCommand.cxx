@@ -19,7 +19,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-struct Options {
+struct FdtShowCommandOptions {
   std::string table, magnification = "1";
   bool noCoefficients = false;
   DeformationOptions deformation;
@@ -87,7 +87,7 @@ json regionList(const DeformationTable& table, const FacialRegions& regions) {
   return list;
 }
 
-DeformationFigureOptions drawingOf(const Options& options) {
+DeformationFigureOptions drawingOf(const FdtShowCommandOptions& options) {
   DeformationFigureOptions drawing;
   drawing.magnification = parseNumber("--arrows", options.magnification);
   if (!(drawing.magnification > 0.0 && drawing.magnification <= 100.0))
@@ -100,7 +100,8 @@ DeformationFigureOptions drawingOf(const Options& options) {
   return drawing;
 }
 
-Plate plateOf(const Options& options, const DeformationTable& table, const FacialRegions& regions, double width) {
+Plate plateOf(const FdtShowCommandOptions& options, const DeformationTable& table, const FacialRegions& regions,
+              double width) {
   DeformationFigureOptions drawing = drawingOf(options);
   const FaceArrows face = genericFaceArrows(table, options.deformation, arrowSpacing(width));
   const FaceLines lines = genericFaceLines(regions);
@@ -114,7 +115,7 @@ Plate plateOf(const Options& options, const DeformationTable& table, const Facia
   return plate;
 }
 
-void run(const Options& options) {
+void run(const FdtShowCommandOptions& options) {
   options.report.check();
   drawingOf(options);
   const MarkerFileOptions& reading = options.deformation.reading;
@@ -141,7 +142,7 @@ void run(const Options& options) {
 }  // namespace
 
 void addFdtShowCommand(CLI::App& parent) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FdtShowCommandOptions>();
   CLI::App* command = parent.add_subcommand("show", "Print a table, and draw its regions and displacements on a face");
   command->add_option("table", options->table, "Table, or a recording that is fitted")->required();
   options->report.addTo(*command);

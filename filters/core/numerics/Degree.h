@@ -1,0 +1,9 @@
+#pragma once
+
+#include <cmath>
+
+namespace mien {
+
+constexpr double degree = M_PI / 180.0;  ///< in radians
+
+}  // namespace mien
