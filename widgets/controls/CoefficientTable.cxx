@@ -16,8 +16,8 @@ namespace mien {
 namespace {
 
 constexpr int coefficientCount = 12, rmsColumn = 12, allColumns = 13;
-constexpr double rounding = 1e-5;  // of the largest coefficient of a map: less moves nothing and reads 0
-constexpr double smaller = 0.85;   // of the application's letters: 13 columns in half a window
+constexpr double noMovement = 1e-5;  // of the largest coefficient of a map: less moves nothing and reads 0
+constexpr double smaller = 0.85;     // of the application's letters: 13 columns in half a window
 constexpr int lineHeight = 21, shownRows = 10, leastWidth = 44;  // pixels
 constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
 constexpr const char* units[] = {"1/pupil unit", "1/pupil unit", "1/pupil unit", "no unit", "no unit", "pupil units"};
@@ -39,7 +39,7 @@ QString sideText(int side) {
 /// Two decimals, or one digit of what would read 0.00; 0 for what is nothing beside the largest of its map.
 QString cellText(double value, double largest) {
   const double size = std::abs(value);
-  if (size < rounding * largest) return QStringLiteral("0");
+  if (size < noMovement * largest) return QStringLiteral("0");
   const QString text =
       size < 0.005 ? QString::number(value, 'e', 0).replace("e-0", "e-") : QString::number(value, 'f', 2);
   return QString(text).replace('-', QChar(0x2212));

@@ -4,14 +4,14 @@ namespace mien {
 
 namespace {
 
-constexpr int digits = 1;    // behind the point
-constexpr int margins = 18;  // pixels
+constexpr int shownDecimals = 1;  // behind the point
+constexpr int boxMargins = 18;    // pixels
 
 }  // namespace
 
 RangeBox::RangeBox(const QString& objectName, double most, QWidget* parent) : QDoubleSpinBox(parent) {
   setObjectName(objectName);
-  setDecimals(digits);
+  setDecimals(shownDecimals);
   setRange(0.0, most);
   setSuffix(tr(" mm"));
   setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -19,7 +19,7 @@ RangeBox::RangeBox(const QString& objectName, double most, QWidget* parent) : QD
   setButtonSymbols(QAbstractSpinBox::NoButtons);
   setAlignment(Qt::AlignRight);
   showAutomatic(0.0);
-  setFixedWidth(fontMetrics().horizontalAdvance(tr("auto %1 mm").arg(888.8)) + margins);
+  setFixedWidth(fontMetrics().horizontalAdvance(tr("auto %1 mm").arg(888.8)) + boxMargins);
 }
 
 void RangeBox::showAutomatic(double end) {

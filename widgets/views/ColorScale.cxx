@@ -12,7 +12,7 @@ namespace mien {
 namespace {
 
 constexpr int side = 12, gap = 12, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
-constexpr int leastBar = 40;
+constexpr int shortestBar = 40;
 constexpr double point = 8.0;  // pixels, length of the pointed end
 
 QString mostText(double millimetres) {
@@ -43,7 +43,7 @@ QSize ColorScale::sizeHint() const {
 }
 
 QSize ColorScale::minimumSizeHint() const {
-  return {side + titleWidth() + gap + leastBar, sizeHint().height()};
+  return {side + titleWidth() + gap + shortestBar, sizeHint().height()};
 }
 
 QString ColorScale::title() const {

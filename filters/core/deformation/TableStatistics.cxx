@@ -8,7 +8,7 @@ namespace mien {
 namespace {
 
 using Coefficients = QuadraticMap::Coefficients;
-constexpr double leastDifference = 5e-3;  // of the largest coefficient of a map, to count
+constexpr double leastOutside = 5e-3;  // of the largest coefficient of a map, to count
 
 }  // namespace
 
@@ -48,7 +48,7 @@ int sideOfRange(const DeformationTable& fit, const DeformationTable& mean, int r
   const QuadraticMap::Coefficients &fitted = fit.maps[region - 1].coefficients,
                                    &expected = mean.maps[region - 1].coefficients;
   const double difference = fitted(row, column) - expected(row, column);
-  const double least = leastDifference * expected.cwiseAbs().maxCoeff();
+  const double least = leastOutside * expected.cwiseAbs().maxCoeff();
   if (std::abs(difference) <= std::max(least, mean.deviations->at(region - 1)(row, column))) return 0;
   return difference < 0.0 ? -1 : 1;
 }
