@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -10,6 +9,7 @@
 
 #include "FaceColoring.h"
 #include "SessionPart.h"
+#include "WrappingRow.h"
 
 namespace mien {
 
@@ -32,8 +32,7 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
       end_(new QDoubleSpinBox(this)) {
   setObjectName("coloringBar");
   describe();
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = new WrappingRow(this);
   row->setSpacing(4);
   auto* label = new QLabel(tr("Co&lour by"), this);
   label->setBuddy(choice_);
