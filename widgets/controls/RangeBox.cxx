@@ -5,7 +5,7 @@ namespace mien {
 namespace {
 
 constexpr int shownDecimals = 1;  // behind the point
-constexpr int boxMargins = 18;    // pixels
+constexpr int boxMargins = 16;    // pixels
 
 }  // namespace
 
@@ -19,7 +19,7 @@ RangeBox::RangeBox(const QString& objectName, double most, QWidget* parent) : QD
   setButtonSymbols(QAbstractSpinBox::NoButtons);
   setAlignment(Qt::AlignRight);
   showAutomatic(0.0);
-  setFixedWidth(fontMetrics().horizontalAdvance(tr("auto %1 mm").arg(888.8)) + boxMargins);
+  setFixedWidth(fontMetrics().horizontalAdvance(tr("auto %1 mm").arg(88)) + boxMargins);
 }
 
 void RangeBox::showAutomatic(double end) {

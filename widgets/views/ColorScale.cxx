@@ -12,7 +12,7 @@ namespace mien {
 namespace {
 
 constexpr int side = 12, gap = 12, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
-constexpr int shortestBar = 40;
+constexpr int shortestBar = 60, narrowBelow = 300;
 constexpr double point = 8.0;  // pixels, length of the pointed end
 
 QString mostText(double millimetres) {
@@ -43,20 +43,23 @@ QSize ColorScale::sizeHint() const {
 }
 
 QSize ColorScale::minimumSizeHint() const {
-  return {side + titleWidth() + gap + shortestBar, sizeHint().height()};
+  return {side + titleWidth(true) + gap + shortestBar, sizeHint().height()};
+}
+
+bool ColorScale::isNarrow() const {
+  return width() < narrowBelow;
 }
 
 QString ColorScale::title() const {
-  return view_->isWithHead() ? tr("moved with head") : tr("moved, head still");
+  if (view_->isWithHead()) return isNarrow() ? tr("with head") : tr("moved, with head");
+  return isNarrow() ? tr("head still") : tr("moved, head still");
 }
 
 /// The same for all texts, so that the bar stays.
-int ColorScale::titleWidth() const {
+int ColorScale::titleWidth(bool narrow) const {
   const QFontMetrics metrics = fontMetrics();
-  int width = 0;
-  for (const QString& text : {tr("moved with head"), tr("moved, head still"), mostText(888.8)})
-    width = std::max(width, metrics.horizontalAdvance(text));
-  return width;
+  const QString longest = narrow ? tr("head still") : tr("moved, with head");
+  return std::max(metrics.horizontalAdvance(longest), metrics.horizontalAdvance(mostText(88.8)));
 }
 
 void ColorScale::paintBar(QPainter& painter, const QRectF& bar) const {
@@ -81,7 +84,7 @@ void ColorScale::paintEvent(QPaintEvent*) {
   const QFontMetrics metrics = fontMetrics();
   const QString unit = tr(" mm");
   const double end = view_->rangeEnd();
-  const int before = side + titleWidth() + gap;
+  const int before = side + titleWidth(isNarrow()) + gap;
   const int after = std::max<int>(metrics.horizontalAdvance(numberText(end)) / 2 + metrics.horizontalAdvance(unit),
                                   static_cast<int>(point)) +
                     side / 2;

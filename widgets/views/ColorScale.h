@@ -23,7 +23,8 @@ class ColorScale : public QWidget {
 
  private:
   QString title() const;
-  int titleWidth() const;
+  bool isNarrow() const;
+  int titleWidth(bool narrow) const;
   void paintBar(QPainter& painter, const QRectF& bar) const;
 
   CurveView* view_;
