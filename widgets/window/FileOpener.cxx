@@ -83,7 +83,7 @@ bool FileOpener::openScan(const QString& fileName) {
   panel->open(fileName);
   if (!panel->isVisible())
     emit model_->remarked(
-        tr("%1 is being measured; the dock Curves opens when that is done. File > Close scan ends it.")
+        tr("%1 is being measured; the dock Curves and scan opens when that is done. File > Close scan ends it.")
             .arg(QFileInfo(fileName).fileName()),
         QString());
   return true;
