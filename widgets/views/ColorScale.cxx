@@ -16,8 +16,8 @@ namespace mien {
 
 namespace {
 
-constexpr int side = 12, gap = 8, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
-constexpr double point = 8.0;                                                     // pixels, length of the pointed end
+constexpr int side = 12, scaleGap = 8, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
+constexpr double point = 8.0;  // pixels, length of the pointed end
 
 QString lengthText(double millimetres) {
   return ColorScale::tr("most %1 mm").arg(millimetres, 0, 'f', 1);
@@ -78,8 +78,8 @@ void ColorScale::paintEvent(QPaintEvent*) {
   painter.fillRect(rect(), theme.viewBottom);
   const QFontMetrics metrics = fontMetrics();
   const QString title = tr("moved by"), most = lengthText(most_);
-  const int before = side + metrics.horizontalAdvance(title) + gap;
-  const int after = side + metrics.horizontalAdvance(lengthText(888.8)) + gap + static_cast<int>(point);
+  const int before = side + metrics.horizontalAdvance(title) + scaleGap;
+  const int after = side + metrics.horizontalAdvance(lengthText(888.8)) + scaleGap + static_cast<int>(point);
   const QRectF bar(before, above, std::max(20, width() - before - after), barHeight);
   paintBar(painter, bar);
   const double base = above + barHeight / 2.0 + metrics.ascent() / 2.0 - 1.0;

@@ -8,6 +8,7 @@
 #include <vtkRenderer.h>
 
 #include "FaceModel.h"
+#include "PropertyColor.h"
 #include "Theme.h"
 
 namespace mien {
@@ -17,10 +18,6 @@ namespace {
 constexpr float lineWidth = 2.0f, pointSize = 5.0f, neutralWidth = 1.0f;  // pixels
 constexpr int colorSteps = 256;
 constexpr double skinBehind = 60.0;  // depth units by which the skin lies behind the curves on it
-
-void setColor(vtkProperty* property, const QColor& color) {
-  property->SetColor(color.redF(), color.greenF(), color.blueF());
-}
 
 /// The mapper of the curves, coloured by the length of `Displacement`.
 vtkSmartPointer<vtkPolyDataMapper> curveMapper(vtkAlgorithm* curves, vtkLookupTable* colors) {
