@@ -167,8 +167,10 @@ TEST_F(Recovery, OfADamagedFileSaysSoOnceAndPutsItAside) {
   {
     const auto window = start();
     EXPECT_FALSE(bar(*window)->isVisible());
-    EXPECT_TRUE(said(*window).contains("line 1 is damaged")) << said(*window).toStdString();
-    EXPECT_TRUE(said(*window).contains(name + ".damaged")) << said(*window).toStdString();
+    EXPECT_TRUE(said(*window).contains("put aside")) << said(*window).toStdString();
+    const QString details = window->findChild<mien::MessageBar*>()->log().back().details;
+    EXPECT_TRUE(details.contains("line 1 is damaged")) << details.toStdString();
+    EXPECT_TRUE(details.contains(name + ".damaged")) << details.toStdString();
     EXPECT_EQ(window->model().state(), mien::FaceState());
   }
   EXPECT_EQ(kept(), QStringList());

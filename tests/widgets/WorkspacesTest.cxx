@@ -1,5 +1,9 @@
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QAction>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QScrollArea>
 #include <QSettings>
 #include <QTabBar>
 #include <QTemporaryDir>
@@ -26,6 +30,18 @@ class Workspaces : public StudioFixture {
   }
 
   QDockWidget* dock(const char* name) { return find<QDockWidget>(name); }
+
+  /// What a widget must lie in to be reached: what scrolls, where something does, else the window.
+  static const QWidget* roomOf(const QWidget* widget) {
+    for (const QWidget* parent = widget->parentWidget(); parent; parent = parent->parentWidget()) {
+      const auto* area =
+          parent->parentWidget() ? qobject_cast<QScrollArea*>(parent->parentWidget()->parentWidget()) : nullptr;
+      if (area && area->widget() == parent) return parent;
+    }
+    return widget->window();
+  }
+
+  const QSize smallest{960, 660};
 };
 
 TEST_F(Workspaces, EachOpensItsDocks) {
@@ -69,6 +85,48 @@ TEST_F(Workspaces, AllFitIntoASmallScreen) {
     EXPECT_LE(window->minimumSizeHint().height(), 800) << i;
     EXPECT_EQ(window->size(), QSize(1280, 800)) << i;
     EXPECT_GE(find<QWidget>("faceView")->height(), 200) << i;
+  }
+}
+
+/// The smallest window of all: nothing is cut off that cannot be scrolled to, and the window does not grow.
+TEST_F(Workspaces, AllCanBeUsedInTheSmallestWindow) {
+  window->resize(smallest);
+  settle();
+  for (int i : {2, 3, 4, 1}) {
+    choose(i);
+    EXPECT_EQ(window->size(), smallest) << i;
+    EXPECT_LE(window->minimumSizeHint().width(), smallest.width()) << i;
+    EXPECT_LE(window->minimumSizeHint().height(), smallest.height()) << i;
+    EXPECT_GE(find<QWidget>("faceView")->height(), 100) << i;
+    for (const auto* widget : window->findChildren<QWidget*>()) {
+      const bool isControl = qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+                             qobject_cast<const QAbstractSpinBox*>(widget);
+      const QString name = widget->objectName();
+      if (!isControl || !widget->isVisible() || name.isEmpty() || name.startsWith("qt_")) continue;
+      const QWidget* room = roomOf(widget);
+      const QRect place(widget->mapTo(const_cast<QWidget*>(room), QPoint()), widget->size());
+      EXPECT_TRUE(room->rect().contains(place)) << i << " " << name.toStdString();
+    }
+  }
+}
+
+TEST_F(Workspaces, ALargeWindowHasDocksBesideEachOtherAndTheFAPs) {
+  window->resize(2560, 1440);
+  settle();
+  for (int i : {2, 3, 4}) {
+    choose(i);
+    EXPECT_TRUE(dock("fapDock")->isVisible()) << i;
+    EXPECT_EQ(window->size(), QSize(2560, 1440)) << i;
+    EXPECT_GE(dock("expressionDock")->widget()->height(), dock("expressionDock")->widget()->sizeHint().height()) << i;
+  }
+  const std::pair<const char*, const char*> pairs[] = {
+      {"spectrumDock", "smoothingDock"}, {"deformationDock", "vectorsDock"}, {"curvesDock", "textureDock"}};
+  for (int i : {2, 3, 4}) {
+    choose(i);
+    const auto [left, right] = pairs[i - 2];
+    EXPECT_FALSE(dock(left)->visibleRegion().isEmpty()) << left;
+    EXPECT_FALSE(dock(right)->visibleRegion().isEmpty()) << right;
+    EXPECT_NEAR(dock(left)->width(), dock(right)->width(), 20);
   }
 }
 

@@ -2,13 +2,13 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
 
 #include "FaceColoring.h"
 #include "SessionPart.h"
+#include "WrappingRow.h"
 
 namespace mien {
 
@@ -30,8 +30,7 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
       end_(new QDoubleSpinBox(this)) {
   setObjectName("coloringBar");
   describe();
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = new WrappingRow(this);
   row->setSpacing(4);
   auto* label = new QLabel(tr("Co&lour by"), this);
   label->setBuddy(choice_);

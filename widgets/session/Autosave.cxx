@@ -79,8 +79,7 @@ void Autosave::putDamagedAside() {
     }
     const QString aside = orphans_.front().file + asideEnding;
     putAside();
-    if (fault_.isEmpty()) fault_ = tr("What Mien Studio kept when it ended unexpectedly cannot be shown.");
-    fault_ += tr(" %1. It was put aside as %2.").arg(damage, QDir::toNativeSeparators(aside));
+    damage_ << tr("%1. It is kept as %2.").arg(damage, QDir::toNativeSeparators(aside));
   }
   orphans_ = std::move(whole);
 }

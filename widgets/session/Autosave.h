@@ -3,6 +3,7 @@
 #include <QLockFile>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
@@ -36,8 +37,8 @@ class Autosave : public QObject {
   void discardOrphan();  ///< the next one is the newest then
   void putAside();       ///< renames the newest, so that it is not offered again and a later version may read it
 
-  /// What was wrong with files that were found damaged, and how they are called now; empty without. Each is told once.
-  QString fault() const { return fault_; }
+  /// What was wrong with files that were found damaged, and how they are called now: a line for each, told once.
+  QString damage() const { return damage_.join('\n'); }
 
   /// The file whose session this is; empty: none.
   static QString documentOf(const nlohmann::json& session);
@@ -55,7 +56,8 @@ class Autosave : public QObject {
   void write();
 
   Session* session_;
-  QString folder_, file_, document_, fault_;
+  QString folder_, file_, document_;
+  QStringList damage_;
   std::unique_ptr<QLockFile> lock_;
   QTimer* timer_;
   std::vector<Orphan> orphans_;  ///< the newest first; locked, so that another start does not offer them too

@@ -1,30 +1,31 @@
 #include "ViewFrame.h"
 
-#include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "ElidedLabel.h"
+#include "WrappingRow.h"
 
 namespace mien {
 
 namespace {
 
 constexpr int gap = 10;         // pixels between groups of buttons
-constexpr int shortTitle = 36;  // pixels
+constexpr int shortTitle = 60;  // pixels that a long title has in any case
 
 }  // namespace
 
 ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
-    : QFrame(parent), header_(new QHBoxLayout), name_(new ElidedLabel(this)) {
+    : QFrame(parent), header_(new WrappingRow), name_(new ElidedLabel(this)) {
   setProperty("card", true);
   name_->setProperty("heading", true);
-  name_->setText(title);
-  name_->setMinimumWidth(shortTitle);
+  name_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  setTitle(title);
   header_->setContentsMargins(10, 5, 6, 5);
   header_->setSpacing(1);
-  header_->addWidget(name_, 1);
+  header_->addWidget(name_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(1, 1, 1, 1);
   column->setSpacing(0);
@@ -34,6 +35,7 @@ ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
 
 void ViewFrame::setTitle(const QString& title) {
   name_->setText(title);
+  name_->setMinimumWidth(std::min(shortTitle, name_->sizeHint().width()));
 }
 
 QToolButton* ViewFrame::addButton(const QString& objectName, const QString& text, const QString& toolTip) {

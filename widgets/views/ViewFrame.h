@@ -2,12 +2,12 @@
 
 #include <QFrame>
 
-class QHBoxLayout;
 class QToolButton;
 
 namespace mien {
 
 class ElidedLabel;
+class WrappingRow;
 
 /// A view with its title and its buttons above it.
 class ViewFrame : public QFrame {
@@ -23,7 +23,7 @@ class ViewFrame : public QFrame {
   void addBelow(QWidget* widget);
 
  private:
-  QHBoxLayout* header_;
+  WrappingRow* header_;
   ElidedLabel* name_;
 };
 

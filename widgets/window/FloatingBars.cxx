@@ -9,7 +9,7 @@ namespace mien {
 
 namespace {
 
-constexpr int mostWidth = 820;    // pixels, a line that is still read at a glance
+constexpr int mostWidth = 1100;   // pixels, so that what it lies over is not seen at its ends
 constexpr int edge = 8, gap = 6;  // pixels to the edge of the area, between bars
 
 int heightOf(const QWidget& bar, int width) {

@@ -11,6 +11,7 @@
 #include "ContinuityPanel.h"
 #include "CurvePanel.h"
 #include "DeformationPanel.h"
+#include "DockScroll.h"
 #include "FAPPlotPanel.h"
 #include "FaceView.h"
 #include "ScanPanel.h"
@@ -61,7 +62,7 @@ void LaboratoryDocks::giveHeight(QDockWidget* dock) {
 QDockWidget* LaboratoryDocks::add(const QString& name, const QString& title, QWidget* panel) {
   auto* dock = new QDockWidget(title, window_);
   dock->setObjectName(name);
-  dock->setWidget(panel);
+  dock->setWidget(new DockScroll(panel));
   dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                     QDockWidget::DockWidgetFloatable);
   window_->addDockWidget(Qt::BottomDockWidgetArea, dock);

@@ -17,6 +17,7 @@
 #include "Autosave.h"
 #include "BundledFile.h"
 #include "CurveView.h"
+#include "DockScroll.h"
 #include "EditMenu.h"
 #include "ExpressionPanel.h"
 #include "FAPPanel.h"
@@ -99,8 +100,11 @@ StudioWindow::StudioWindow()
   WindowLayout::restore(*this);
   workspaces_->restore();
   keeper_->begin();
-  if (keeper_->autosave() && !keeper_->autosave()->fault().isEmpty())
-    messages_->showError(keeper_->autosave()->fault(), QString());
+  const QString damage = keeper_->autosave() ? keeper_->autosave()->damage() : QString();
+  if (!damage.isEmpty())
+    messages_->showError(
+        tr("What was kept when Mien Studio ended unexpectedly is damaged and cannot be shown; it was put aside."),
+        damage);
 }
 
 StudioWindow::~StudioWindow() = default;
@@ -126,7 +130,7 @@ QWidget* StudioWindow::centre() {
   column->addWidget(views_, 1);
   column->addWidget(timeline);
   QList<QWidget*> bars = {messages_};
-  if (keeper_->autosave()) bars << new RecoveryBar(keeper_->autosave(), keeper_->document());
+  if (keeper_->autosave()) bars << new RecoveryBar(keeper_->autosave(), keeper_->document(), box);
   new FloatingBars(views_, face_, bars, box);
   return box;
 }
@@ -134,7 +138,7 @@ QWidget* StudioWindow::centre() {
 void StudioWindow::addDock(const QString& name, const QString& title, QWidget* panel) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
-  dock->setWidget(panel);
+  dock->setWidget(new DockScroll(panel));
   dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                     QDockWidget::DockWidgetFloatable);
   addDockWidget(Qt::LeftDockWidgetArea, dock);

@@ -24,6 +24,7 @@
 #include "PointNumbers.h"
 #include "ViewExport.h"
 #include "ViewFrame.h"
+#include "WrappingRow.h"
 
 namespace mien {
 
@@ -68,8 +69,9 @@ ViewArea::ViewArea(FaceModel* model, FaceView* face, CurveView* curves, QWidget*
 
 QWidget* ViewArea::displayRow() {
   auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
+  auto* layout = new WrappingRow(row);
   layout->setContentsMargins(2, 0, 0, 0);
+  layout->setSpacing(6);
   auto* bar = new ColoringBar(coloring_, row);
   faceKey_ = coloring_->key();
   faceFrame_->addBelow(faceKey_);

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QDockWidget>
+#include <QLayout>
 #include <QMainWindow>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -10,6 +11,8 @@
 #include <QVariant>
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <utility>
 
 #include "Remembered.h"
 #include "SessionPart.h"
@@ -20,9 +23,14 @@ namespace {
 
 constexpr int version = 2;  // of the docks; one more when their names change
 constexpr const char* currentKey = "window/workspace";
-constexpr int leftWidth = 350, leastBelow = 330;  // pixels
+constexpr int leftWidth = 350, leastBelow = 320;  // pixels
 constexpr double shareBelow = 0.4;                // of the window, for docks with a picture
-constexpr int stretching = 1000;                  // share of the dock that takes what is left
+constexpr double mostBelow = 0.42;                // of a low window, for the face is to be seen as well
+constexpr int menuHeight = 26, separator = 6;     // pixels, of the theme
+constexpr int leastHeight = 150;                  // pixels of the dock that takes what is left
+constexpr int high = 1000, wide = 900;            // pixels of a window with room for the FAPs; of one dock of several
+
+constexpr const char* growing = "fapDock";
 
 QByteArray keyOf(int workspace) {
   return "window/workspaces/" + QByteArray::number(workspace);
@@ -30,7 +38,8 @@ QByteArray keyOf(int workspace) {
 
 }  // namespace
 
-/// Docks at the left from top to bottom, and below the face in tabs, the first one in front.
+/// Docks at the left from top to bottom, and below the face, in tabs, the first one in front, or beside each other
+/// where a window is wide. In a high one the FAPs take what the others leave at the left.
 struct Workspaces::Workspace {
   const char *title, *mnemonic, *purpose;
   QStringList left, below;
@@ -126,30 +135,59 @@ QList<QDockWidget*> Workspaces::docks(const QStringList& names) const {
   return found;
 }
 
+/// The docks below lie beneath those at the left as well where these have no use for the height.
 void Workspaces::arrange(int workspace) {
-  const QList<QDockWidget*> left = docks(all()[workspace].left), below = docks(all()[workspace].below);
+  const QSize size = window_->size();
+  QStringList atLeft = all()[workspace].left;
+  if (size.height() >= high && !atLeft.contains(growing)) atLeft << growing;
+  const QList<QDockWidget*> left = docks(atLeft), below = docks(all()[workspace].below);
   window_->restoreState(first_, version);
-  for (int i = 1; i < below.size(); ++i) window_->tabifyDockWidget(below[i - 1], below[i]);
+  const bool isFull = atLeft.contains(growing);
+  window_->setCorner(Qt::BottomLeftCorner, isFull ? Qt::LeftDockWidgetArea : Qt::BottomDockWidgetArea);
+  const QList<QDockWidget*> fronts = placeBelow(below);
   for (auto* dock : window_->findChildren<QDockWidget*>())
     dock->setVisible(left.contains(dock) || below.contains(dock));
   for (int i = 1; i < left.size(); ++i) window_->splitDockWidget(left[i - 1], left[i], Qt::Vertical);
-  giveSizes(left, below);
-  if (!below.isEmpty()) below.front()->raise();
+  giveSizes(left, fronts);
+  for (QDockWidget* dock : fronts) dock->raise();
+  window_->layout()->activate();
+  window_->resize(size);  // while docks were on their way it may have grown
+}
+
+/// In as many columns as there is room for. @return the first dock of each
+QList<QDockWidget*> Workspaces::placeBelow(const QList<QDockWidget*>& below) {
+  const int columns = std::clamp((window_->width() - leftWidth) / wide, 1, std::max(1, static_cast<int>(below.size())));
+  QList<QDockWidget*> lasts = below.mid(0, columns), fronts = lasts;
+  for (int i = 1; i < columns; ++i) {
+    window_->removeDockWidget(fronts[i]);  // from among the tabs
+    window_->addDockWidget(Qt::BottomDockWidgetArea, fronts[i], Qt::Horizontal);
+  }
+  for (int i = columns; i < below.size(); ++i)
+    window_->tabifyDockWidget(std::exchange(lasts[columns - 1], below[i]), below[i]);
+  return fronts;
+}
+
+void Workspaces::giveSizes(const QList<QDockWidget*>& left, const QList<QDockWidget*>& below) {
+  const double wanted = std::max<double>(leastBelow, shareBelow * window_->height());
+  const int height = static_cast<int>(std::min(wanted, mostBelow * window_->height()));
+  const bool isFull = window_->corner(Qt::BottomLeftCorner) == Qt::LeftDockWidgetArea;
+  giveHeights(left, window_->height() - menuHeight - (isFull || below.isEmpty() ? 0 : height + separator));
+  window_->resizeDocks(left, QList<int>::fromVector(QVector<int>(left.size(), leftWidth)), Qt::Horizontal);
+  if (below.isEmpty()) return;
+  window_->resizeDocks({below.front()}, {height}, Qt::Vertical);
+  window_->resizeDocks(below, QList<int>::fromVector(QVector<int>(below.size(), window_->width())), Qt::Horizontal);
 }
 
 /// The last dock at the left takes what room the others do not need, or the table of FAPs, which has use for it.
-void Workspaces::giveSizes(const QList<QDockWidget*>& left, const QList<QDockWidget*>& below) {
-  QList<int> widths, heights;
-  const auto hungry =
-      std::find_if(left.begin(), left.end(), [](auto* dock) { return dock->objectName() == "fapDock"; });
-  for (auto it = left.begin(); it != left.end(); ++it) {
-    widths << leftWidth;
-    heights << (it == hungry || (hungry == left.end() && *it == left.back()) ? stretching : 1);
-  }
-  window_->resizeDocks(left, widths, Qt::Horizontal);
+void Workspaces::giveHeights(const QList<QDockWidget*>& left, int room) {
+  QList<int> heights;
+  for (const QDockWidget* dock : left) heights << dock->sizeHint().height();
+  int hungry = left.size() - 1;
+  for (int i = 0; i < left.size(); ++i)
+    if (left[i]->objectName() == growing) hungry = i;
+  const int others = std::accumulate(heights.begin(), heights.end(), 0) - heights[hungry];
+  heights[hungry] = std::max(leastHeight, room - others - separator * (left.size() - 1));
   window_->resizeDocks(left, heights, Qt::Vertical);
-  const int height = std::max(leastBelow, static_cast<int>(shareBelow * window_->height()));
-  if (!below.isEmpty()) window_->resizeDocks({below.front()}, {height}, Qt::Vertical);
 }
 
 void Workspaces::follow() {

@@ -47,7 +47,9 @@ class Workspaces : public QObject, public SessionPart {
   void buildBar();
   void show(int workspace);
   void arrange(int workspace);
+  QList<QDockWidget*> placeBelow(const QList<QDockWidget*>& below);
   void giveSizes(const QList<QDockWidget*>& left, const QList<QDockWidget*>& below);
+  void giveHeights(const QList<QDockWidget*>& left, int room);
   QList<QDockWidget*> docks(const QStringList& names) const;
   void follow();
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <QScrollArea>
+
+namespace mien {
+
+/// Lets a dock be smaller than what it holds, down to a size in which that can still be used; then it scrolls.
+class DockScroll : public QScrollArea {
+  Q_OBJECT
+ public:
+  explicit DockScroll(QWidget* panel);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+};
+
+}  // namespace mien
