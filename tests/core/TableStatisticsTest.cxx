@@ -35,6 +35,17 @@ TEST(TableStatistics, TellsWhatIsOutsideTheRange) {
   EXPECT_EQ(outside[2], 2 * 12 + 11);
 }
 
+/// A region at rest has deviations of rounding; what differs by no more is not outside.
+TEST(TableStatistics, RoundingIsWithinTheRange) {
+  const DeformationTable mean = meanTable({shifted(0.0), shifted(1e-22)});
+  EXPECT_TRUE(outsideRange(shifted(4e-22), mean).empty());
+  EXPECT_TRUE(outsideRange(shifted(0.0049), mean).empty());
+  EXPECT_EQ(outsideRange(shifted(0.0051), mean).size(), 16u);
+  EXPECT_EQ(sideOfRange(shifted(-0.0051), mean, 7, 11), -1);
+  EXPECT_EQ(sideOfRange(shifted(0.0051), mean, 7, 11), 1);
+  EXPECT_EQ(sideOfRange(shifted(0.0051), mean, 7, 10), 0);
+}
+
 TEST(TableStatistics, RegionsThatWereNotSeenDoNotCountAsStill) {
   DeformationTable seen = shifted(0.2), partly = shifted(0.4), blind = shifted(0.6);
   partly.counts.emplace().fill(1);

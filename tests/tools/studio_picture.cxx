@@ -3,7 +3,7 @@
 // Settings: dark, side, fortyfive, mesh=2, color=Patches, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200,
 // a=2, file=X.fap, frame=100, range=50:120, dock=plotDock, compare=X.ply, press=fapAll, scan=X.ply, scale=0.75,
 // workspace=2, tour, focus=spectrumFigure, trigger=actionManual, grab=manualWindow, menu=editMenu, wait=2000, measure,
-// start, act (what follows is a step of undo).
+// export=spectrumExport:X.pdf (or face, curves), start, act (what follows is a step of undo).
 
 #include <unistd.h>
 
@@ -11,6 +11,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
@@ -25,12 +26,15 @@
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
+#include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <vector>
 
 #include "AnimationPlayer.h"
 #include "Comparison.h"
+#include "ExportButton.h"
+#include "Exporter.h"
 #include "FaceModel.h"
 #include "ScanPanel.h"
 #include "StudioWindow.h"
@@ -115,19 +119,34 @@ QImage coarse(QImage picture) {
   return picture;
 }
 
+/// The part of the window of that name; without one the program ends, and names those there are.
+template <class Part>
+Part* part(QObject& window, const QString& name) {
+  auto* found = window.findChild<Part*>(name);
+  if (found) return found;
+  QStringList names;
+  for (const Part* one : window.findChildren<Part*>())
+    if (!one->objectName().isEmpty() && !one->objectName().startsWith("qt_")) names << one->objectName();
+  names.removeDuplicates();
+  names.sort();
+  QTextStream(stderr) << "studio_picture: there is no " << QString(Part::staticMetaObject.className()).mid(1) << " '"
+                      << name << "' in the window; there are " << names.join(", ") << "\n";
+  std::exit(2);
+}
+
 void click(QWidget& window, const char* name) {
-  window.findChild<QToolButton*>(name)->click();
+  part<QToolButton>(window, name)->click();
 }
 
 void showDock(QWidget& window, const QString& name) {
-  window.findChild<QAction*>(name + "Action")->trigger();
+  part<QDockWidget>(window, name)->toggleViewAction()->trigger();
   const auto isBusy = [&] { return window.findChild<QWidget*>("smoothingProgress")->isVisible(); };
   do wait(1500);  // some docks compute in the background
   while (isBusy());
 }
 
 void press(QWidget& window, const QString& name) {
-  window.findChild<QAbstractButton*>(name)->click();
+  part<QAbstractButton>(window, name)->click();
   wait(1500);
 }
 
@@ -160,7 +179,7 @@ void act(mien::StudioWindow& window) {
 }
 
 void openMenu(mien::StudioWindow& window, const QString& name) {
-  auto* menu = window.findChild<QMenu*>(name);
+  auto* menu = part<QMenu>(window, name);
   const QRect place = window.menuBar()->actionGeometry(menu->menuAction());
   menu->popup(window.menuBar()->mapToGlobal(place.bottomLeft()));
   wait(200);
@@ -182,6 +201,15 @@ void compare(QWidget& window, const QString& with) {
   const int index = choice->findText(with);
   index < 0 ? void(area->comparison()->openMesh(with)) : emit choice->activated(index);
   wait(1500);
+}
+
+/// What a button, or "face" or "curves", exports, into BUTTON:FILE, in the format of its ending.
+void exportFigure(QWidget& window, const QString& what) {
+  const QString name = what.section(':', 0, 0), file = what.section(':', 1);
+  auto* area = window.findChild<mien::ViewArea*>("viewArea");
+  if (name == "face") return void(area->faceExporter()->write(file));
+  if (name == "curves") return void(area->curveExporter()->write(file));
+  static_cast<mien::ExportButton*>(part<QToolButton>(window, name))->write(file);
 }
 
 void apply(mien::StudioWindow& window, const QString& setting) {
@@ -209,17 +237,18 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "cell") clickCell(window, value);
   if (key == "compare") compare(window, value);
   if (key == "choose")
-    window.findChild<QComboBox*>(value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
+    part<QComboBox>(window, value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
   if (key == "workspace") window.findChild<QTabBar*>("workspaces")->setCurrentIndex(value.toInt() - 1);
   if (key == "tour") mien::Tour::begin(window);
-  if (key == "focus") window.findChild<QWidget*>(value)->setFocus();
-  if (key == "trigger") window.findChild<QAction*>(value)->trigger();
+  if (key == "focus") part<QWidget>(window, value)->setFocus();
+  if (key == "trigger") part<QAction>(window, value)->trigger();
   if (key == "menu") openMenu(window, value);
   if (key == "act") act(window);
   if (key == "measure") measure(window);
   if (key == "wait") wait(value.toInt());
   if (key == "file") window.openFile(value);
   if (key == "frame") model.showFrame(value.toDouble());
+  if (key == "export") exportFigure(window, value);
   if (key == "range") window.player().setRange(value.section(':', 0, 0).toInt(), value.section(':', 1).toInt());
 }
 
@@ -247,7 +276,7 @@ int main(int argc, char** argv) {
     if (setting.startsWith("scale=")) share = setting.section('=', 1).toDouble();
   }
   wait(500);
-  QWidget* shown = grabbed.isEmpty() ? nullptr : window.findChild<QWidget*>(grabbed);
+  QWidget* shown = grabbed.isEmpty() ? nullptr : part<QWidget>(window, grabbed);
   const QImage picture = shown ? shown->grab().toImage().convertToFormat(QImage::Format_RGB888) : pictureOf(window);
   const int width = static_cast<int>(share * picture.width());
   constexpr int smallestFile = 0;  // as PNG files have no quality to lose

@@ -72,7 +72,7 @@ class DeformationPanel : public StudioFixture {
 
   bool waitForName(const QString& name) {
     auto* label = find<QLabel>("deformationExpression");
-    return waitUntil([&] { return label->isVisible() && label->text().startsWith("Nearest: " + name); });
+    return waitUntil([&] { return label->isVisible() && label->text().startsWith("Nearest: " + name + " at "); });
   }
 
   QImage face() {
@@ -267,7 +267,11 @@ TEST_F(DeformationPanel, SmallCoefficientsKeepADigit) {
     bool number = false;
     const double read = text.toDouble(&number);
     EXPECT_TRUE(number) << text.toStdString();
-    EXPECT_LE(std::abs(read - value), std::abs(value) < 0.005 ? 0.5 * std::abs(value) : 0.005001) << i;
+    const double largest = joy.maps[i / 12].coefficients.cwiseAbs().maxCoeff();
+    if (std::abs(value) < 1e-5 * largest)
+      EXPECT_EQ(read, 0.0) << value;
+    else
+      EXPECT_LE(std::abs(read - value), std::abs(value) < 0.005 ? 0.5 * std::abs(value) : 0.005001) << i;
     EXPECT_LE(text.size(), 5) << text.toStdString();
     small += std::abs(value) < 0.005;
   }
@@ -301,6 +305,27 @@ TEST_F(DeformationPanel, NumbersOutsideTheRangeCarryAnArrow) {
     if (text.contains(QChar(0x25b4)) || text.contains(QChar(0x25be))) marked.push_back(i);
   }
   EXPECT_EQ(marked, outside);
+}
+
+/// What is rounding beside the map that it belongs to reads 0, and what differs from the mean by no more than the table
+/// can show does not stand out.
+TEST_F(DeformationPanel, RoundingIsNotMarked) {
+  show("joy");
+  ASSERT_TRUE(waitForName("joy"));
+  const mien::DeformationTable& joy = *mien::namedTable("joy");
+  const QStringList rows = QString::fromStdString(cells->text()).split('\n');
+  int rounding = 0, marked = 0;
+  for (int i = 0; i < 192; ++i) {
+    const double value = rows[i + 1].section(',', 3, 3).toDouble();
+    const double mean = joy.maps[i / 12].coefficients(i % 12 / 6, i % 6);
+    const QTableWidgetItem* cell = cells->item(i / 12, i % 12);
+    rounding += std::abs(value) < 1e-6;
+    marked += cell->font().bold();
+    if (std::abs(value) < 1e-6) EXPECT_EQ(cell->text().at(0), '0') << value;
+    if (std::abs(value - mean) < 0.004) EXPECT_FALSE(cell->font().bold()) << value << " beside " << mean;
+  }
+  EXPECT_GT(rounding, 10) << "else none is tried";
+  EXPECT_GT(marked, 10);
 }
 
 TEST_F(DeformationPanel, AClickedBarChoosesItsRange) {

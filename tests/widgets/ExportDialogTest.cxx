@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "Comparison.h"
 #include "ExportDialog.h"
 #include "Exporter.h"
 #include "FaceModel.h"
@@ -105,6 +106,26 @@ TEST_F(ExportDialog, WhatColoursMeanStandsBelowTheFace) {
   ASSERT_TRUE(face()->write(path("face.svg"), options));
   const QByteArray text = lines(path("face.svg")).join('\n');
   EXPECT_TRUE(text.contains(">P8<")) << "as text, not as a picture of it";
+}
+
+/// A comparison is one figure, of A and of B, and says which is which.
+TEST_F(ExportDialog, AComparisonHasBothFaces) {
+  find<mien::ViewArea>("viewArea")->comparison()->pin();
+  window->model().change([](mien::FaceState& state) { state.expressions["joy"] = 1.0; });
+  settle();
+  EXPECT_DOUBLE_EQ(face()->drawing({}).size.width(), 170.0 * mien::figureUnitsPerMillimetre);
+  ASSERT_TRUE(face()->write(path("both.svg")));
+  const QByteArray text = lines(path("both.svg")).join('\n');
+  EXPECT_TRUE(text.contains(">A: joy<")) << "as text";
+  EXPECT_TRUE(text.contains(">B: the neutral face<"));
+  EXPECT_TRUE(text.contains(">Difference of A and B (mm)<"));
+  EXPECT_EQ(text.count("<image"), 2);
+  ASSERT_TRUE(face()->write(path("both.png")));
+  const QImage both(path("both.png"));
+  const int half = both.width() / 2;
+  EXPECT_NE(both.copy(0, 0, half, both.height() / 2), both.copy(half, 0, half, both.height() / 2));
+  ASSERT_TRUE(face()->write(path("both.csv")));
+  EXPECT_TRUE(lines(path("both.csv"))[0].contains(",Distance,")) << lines(path("both.csv"))[0].toStdString();
 }
 
 TEST_F(ExportDialog, NumbersOfViewsAreTheirPoints) {

@@ -11,6 +11,9 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
 
 #include "FaceModel.h"
 #include "FaceView.h"
@@ -133,13 +136,45 @@ TEST_F(FaceColoring, ADockThatShowsNumbersTakesOverAndSkinEndsThat) {
   choose("Patches");
   find<QComboBox>("continuityFace")->setCurrentIndex(4);
   settle();
-  EXPECT_EQ(choice()->currentIndex(), -1);
+  EXPECT_EQ(choice()->currentText(), "Zebra stripes (Continuity dock)");
   find<QToolButton>("faceSkin")->click();
   settle();
   EXPECT_EQ(choice()->currentText(), "Skin");
+  EXPECT_EQ(choice()->findText("Zebra stripes (Continuity dock)"), -1);
   find<QComboBox>("continuityFace")->setCurrentIndex(4);
   choose("Patches");
   EXPECT_EQ(find<QComboBox>("continuityFace")->currentIndex(), 0);
+}
+
+/// Whichever dock colours the face, the bar names it, and any other choice takes the face back.
+TEST_F(FaceColoring, NamesTheDockThatColoursTheFace) {
+  const QImage skin = picture();
+  const std::vector<std::pair<QString, std::function<void()>>> docks = {
+      {"Regions (Deformation dock)", [this] { find<QToolButton>("deformationRegions")->click(); }},
+      {"Mode 1 (Spectrum dock)", [this] { find<QToolButton>("spectrumOnFace")->click(); }},
+      {"Curvature H (Continuity dock)", [this] { find<QComboBox>("continuityFace")->setCurrentIndex(2); }},
+      {"Seams (Continuity dock)", [this] { find<QComboBox>("continuityFace")->setCurrentIndex(1); }}};
+  for (const char* name : {"deformationDockAction", "spectrumDockAction", "continuityDockAction"}) {
+    find<QAction>(name)->trigger();
+    QTest::qWait(300);
+  }
+  find<QComboBox>("spectrumMode")->setCurrentIndex(1);
+  for (const auto& [words, show] : docks) {
+    show();
+    settle();
+    EXPECT_EQ(choice()->currentText(), words);
+    choose("Skin");
+    EXPECT_EQ(choice()->findText(words), -1);
+  }
+  EXPECT_FALSE(find<QToolButton>("deformationRegions")->isChecked());
+  EXPECT_EQ(find<QComboBox>("continuityFace")->currentIndex(), 0);
+  const auto* key = find<QWidget>("colorKey");
+  find<QComboBox>("continuityFace")->setCurrentIndex(2);
+  settle();
+  EXPECT_TRUE(key->isVisible()) << "the scale stands below the face";
+  EXPECT_TRUE(key->toolTip().startsWith("Mean curvature H (1/mm)")) << key->toolTip().toStdString();
+  choose("Skin");
+  EXPECT_FALSE(key->isVisible());
 }
 
 TEST_F(FaceColoring, ThePhotographIsPartOfTheState) {

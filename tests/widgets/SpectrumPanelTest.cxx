@@ -100,6 +100,19 @@ TEST_F(SpectrumPanel, APartialSumChangesTheShape) {
   EXPECT_NE(face(), whole);
 }
 
+TEST_F(SpectrumPanel, ItsFigureSaysOfWhichFaceItIs) {
+  const QString name = QDir::temp().filePath(QString("mien_face_%1.svg").arg(QCoreApplication::applicationPid()));
+  window->model().change([](mien::FaceState& state) { state.expressions["joy"] = 0.5; });
+  settle();
+  ASSERT_TRUE(find<mien::ExportButton>("spectrumExport")->write(name));
+  QFile file(name);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QByteArray text = file.readAll();
+  EXPECT_TRUE(text.contains("Spectrum of the surface: joy at 0.5"));
+  EXPECT_TRUE(text.contains("Generic face, scheme spline; a = 1; N = 5 with remainder; joy at 0.5"));
+  file.remove();
+}
+
 TEST_F(SpectrumPanel, WritesItsFigureAndNumbers) {
   auto* button = find<mien::ExportButton>("spectrumExport");
   const QString folder = QDir::temp().filePath(QString("mien_export_%1").arg(QCoreApplication::applicationPid()));

@@ -6,8 +6,10 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDir>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFile>
@@ -21,13 +23,16 @@
 #include <QUrl>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "ColorScale.h"
+#include "Comparison.h"
 #include "CurveView.h"
 #include "FAPText.h"
 #include "FaceModel.h"
 #include "StudioFixture.h"
 #include "Theme.h"
+#include "ViewArea.h"
 
 namespace {
 
@@ -190,12 +195,99 @@ TEST_F(StudioWindow, TheViewHoldsAWholeAnimationFromTheStart) {
 
 TEST_F(StudioWindow, TheColourScaleTellsWhatLiesBeyondIt) {
   auto* scale = find<mien::ColorScale>("curveScale");
-  EXPECT_EQ(scale->most(), 0.0);
+  auto* view = find<CurveView>("curveView");
+  auto* range = find<QDoubleSpinBox>("curveRange");
+  EXPECT_EQ(view->most(), 0.0);
+  EXPECT_EQ(range->text(), "auto 2 mm");
   window->model().change([](mien::FaceState& state) { state.fapValues[3] = 1000.0; });
   settle();
-  EXPECT_EQ(scale->most(), largestDisplacement());
+  EXPECT_EQ(view->most(), largestDisplacement());
+  EXPECT_GE(view->rangeEnd(), view->most());
+  EXPECT_LE(view->rangeEnd(), 2.5 * view->most());
+  EXPECT_FALSE(scale->isExceeded()) << "the range grows with the movement";
+  const double grown = view->rangeEnd();
+  window->model().change([](mien::FaceState& state) { state.fapValues[3] = 10.0; });
+  settle();
+  EXPECT_EQ(view->rangeEnd(), grown) << "and stays while something moves";
+  range->setValue(0.1);
+  settle();
+  EXPECT_EQ(view->rangeEnd(), 0.1);
   EXPECT_TRUE(scale->isExceeded());
-  EXPECT_GE(scale->y(), find<CurveView>("curveView")->geometry().bottom()) << "below the face, not on it";
+  range->setValue(0.0);
+  window->model().change([](mien::FaceState& state) { state.fapValues.clear(); });
+  settle();
+  EXPECT_EQ(range->text(), "auto 2 mm") << "a face at rest begins anew";
+  EXPECT_GE(scale->mapTo(window.get(), QPoint()).y(), view->mapTo(window.get(), view->rect().bottomLeft()).y())
+      << "below the face, not on it";
+}
+
+/// What is beside a number stays where it is when the number grows.
+TEST_F(StudioWindow, NumbersThatGrowMoveNothing) {
+  for (const char* dock : {"spectrumDock", "smoothingDock", "continuityDock", "deformationDock", "vectorsDock"})
+    find<QAction>(QString(dock) + "Action")->trigger();
+  const auto places = [this] {
+    settle();
+    std::map<QString, QRect> all;
+    for (const QWidget* widget : window->findChildren<QWidget*>())
+      if (!widget->objectName().isEmpty() && !widget->objectName().startsWith("qt_") && widget->isVisible())
+        all[widget->objectName()] = QRect(widget->mapTo(window.get(), QPoint()), widget->size());
+    return all;
+  };
+  const auto change = [this](double fap, double a) {
+    window->model().change([&](mien::FaceState& state) {
+      for (int number : {31, 32, 33, 34, 35, 36}) state.fapValues[number] = fap;
+      state.surface.smoothing.fill(a);
+      state.expressions["joy"] = fap > 0.0 ? 1.0 : 0.0;
+    });
+    for (int i = 0; i < 4; ++i) {
+      settle();
+      QTest::qWait(200);
+    }
+  };
+  for (const char* dock : {"spectrumDock", "deformationDock", "vectorsDock"}) {
+    find<QDockWidget>(dock)->raise();
+    change(0.0, 1.0);
+    const auto before = places();
+    change(500.0, 2.125);
+    const auto after = places();
+    for (const auto& [name, place] : before) {
+      const auto same = after.find(name);
+      if (same == after.end() || name.endsWith("Numbers") || name.endsWith("Expression")) continue;  // texts
+      EXPECT_EQ(same->second.left(), place.left()) << dock << " " << name.toStdString();
+      EXPECT_EQ(same->second.width(), place.width()) << dock << " " << name.toStdString();
+    }
+  }
+}
+
+TEST_F(StudioWindow, TurnsOfTheHeadAreNoMovementOfTheCurvesUnlessAskedFor) {
+  auto* view = find<CurveView>("curveView");
+  window->model().change([](mien::FaceState& state) { state.expressions["joy"] = 1.0; });
+  settle();
+  const double joy = view->most();
+  window->model().change([](mien::FaceState& state) { state.fapValues[49] = 20000.0; });
+  settle();
+  EXPECT_GT(largestDisplacement(), 2.0 * joy) << "mm, of a head turned by 0.2 rad";
+  EXPECT_NEAR(view->most(), joy, 1e-4);
+  find<QToolButton>("curveHead")->click();
+  EXPECT_EQ(view->most(), largestDisplacement());
+  find<QToolButton>("curveHead")->click();
+  EXPECT_NEAR(view->most(), joy, 1e-4);
+}
+
+TEST_F(StudioWindow, TheCopiedCommandIsToldAndWhatItLeavesOut) {
+  find<QAction>("actionCopyCommand")->trigger();
+  EXPECT_EQ(message(), "The mien render command of this face was copied.");
+  EXPECT_TRUE(QApplication::clipboard()->text().startsWith("mien render "));
+  find<QComboBox>("colorBy")->setCurrentText("Patches");
+  find<QToolButton>("faceCurves")->click();
+  find<QToolButton>("faceCurveNames")->click();
+  find<mien::ViewArea>("viewArea")->comparison()->pin();
+  settle();
+  find<QAction>("actionCopyCommand")->trigger();
+  EXPECT_TRUE(message().contains("It leaves out: the comparison with B")) << message().toStdString();
+  EXPECT_TRUE(message().contains("the names of the curves")) << message().toStdString();
+  EXPECT_TRUE(QApplication::clipboard()->text().contains(" --curves "))
+      << "what there is an option for is not left out";
 }
 
 void drop(mien::StudioWindow& window, const QString& file) {

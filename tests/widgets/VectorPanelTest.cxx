@@ -54,6 +54,20 @@ class VectorPanel : public StudioFixture {
   int drawn = 0;
 };
 
+TEST_F(VectorPanel, AutomaticChoicesShowWhatIsInEffect) {
+  setFAP(3, 500.0);
+  ASSERT_TRUE(comes([this] { return !picture().arrows.empty(); }));
+  settle();
+  const mien::MotionVectorFigure& figure = *view->figure();
+  const auto shown = [this](const char* name) { return find<QDoubleSpinBox>(name)->value(); };
+  EXPECT_NEAR(shown("vectorsScaleValue"), figure.scale(), 0.005);
+  EXPECT_NEAR(shown("vectorsRangeValue"), figure.rangeEnd(), 0.005);
+  ASSERT_EQ(figure.sampling().kind, mien::VectorSampling::Kind::Even);
+  EXPECT_NEAR(shown("vectorsSpacing"), figure.sampling().spacing, 0.05);
+  for (const char* name : {"vectorsScaleValue", "vectorsRangeValue", "vectorsSpacing"})
+    EXPECT_FALSE(find<QDoubleSpinBox>(name)->isEnabled()) << name;
+}
+
 TEST_F(VectorPanel, TheNeutralFaceHasNoArrows) {
   EXPECT_TRUE(picture().arrows.empty());
   EXPECT_TRUE(find<QLabel>("vectorsNumbers")->text().startsWith("0 of "))
@@ -236,7 +250,8 @@ TEST_F(VectorPanel, ControlsReachTheFigure) {
   find<QComboBox>("vectorsSampling")->setCurrentIndex(1);
   EXPECT_TRUE(comes([this] { return shown().options.picture.sampling.kind == mien::VectorSampling::Kind::Even; }));
   const size_t even = motion().result().chosen.size();
-  find<QDoubleSpinBox>("vectorsSpacing")->setValue(10.0);
+  auto* spacing = find<QDoubleSpinBox>("vectorsSpacing");  // begins with what was automatic
+  spacing->setValue(2.0 * spacing->value());
   EXPECT_TRUE(comes([&] { return motion().result().chosen.size() < 0.5 * even; }));
   find<QComboBox>("vectorsScale")->setCurrentIndex(2);
   find<QDoubleSpinBox>("vectorsScaleValue")->setValue(4.0);

@@ -9,14 +9,15 @@
 #include "DefaultRegions.h"
 #include "NumberText.h"
 #include "RangeDelegate.h"
+#include "TableStatistics.h"
 
 namespace mien {
 
 namespace {
 
 constexpr int coefficientCount = 12, rmsColumn = 12, allColumns = 13;
-constexpr double leastNumber = 1e-9;  // what is below it is rounding
-constexpr double smaller = 0.85;      // of the application's letters: 13 columns in half a window
+constexpr double noMovement = 1e-5;  // of the largest coefficient of a map: less moves nothing and reads 0
+constexpr double smaller = 0.85;     // of the application's letters: 13 columns in half a window
 constexpr int lineHeight = 21, shownRows = 10, leastWidth = 44;  // pixels
 constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
 constexpr const char* units[] = {"1/pupil unit", "1/pupil unit", "1/pupil unit", "no unit", "no unit", "pupil units"};
@@ -29,21 +30,16 @@ double deviationOf(const DeformationTable& mean, int region, int coefficient) {
   return mean.deviations->at(region - 1)(coefficient / 6, coefficient % 6);
 }
 
-/// -1 below mean - sd, 1 above mean + sd, 0 between, the ends included.
-int sideOf(double difference, double deviation) {
-  return std::abs(difference) <= deviation ? 0 : difference < 0.0 ? -1 : 1;
-}
-
 QString sideText(int side) {
   return side == 0  ? CoefficientTable::tr("within")
          : side < 0 ? CoefficientTable::tr("below")
                     : CoefficientTable::tr("above");
 }
 
-/// Two decimals, or one digit of what would read 0.00.
-QString cellText(double value) {
+/// Two decimals, or one digit of what would read 0.00; 0 for what is nothing beside the largest of its map.
+QString cellText(double value, double largest) {
   const double size = std::abs(value);
-  if (size < leastNumber) return QStringLiteral("0");
+  if (size < noMovement * largest) return QStringLiteral("0");
   const QString text =
       size < 0.005 ? QString::number(value, 'e', 0).replace("e-0", "e-") : QString::number(value, 'f', 2);
   return QString(text).replace('-', QChar(0x2212));
@@ -84,7 +80,8 @@ CoefficientTable::CoefficientTable(QWidget* parent) : QTableWidget(DeformationTa
 void CoefficientTable::addHeaders() {
   for (int i = 0; i < coefficientCount; ++i) {
     auto* header = new QTableWidgetItem(QString::fromStdString(coefficientName(i)));
-    header->setToolTip(tr("%1: factor of %2 in %3' (%4); the scale below a number is mean \u00b1 sd of the expression")
+    header->setToolTip(tr("%1: factor of %2 in %3' (%4); the scale below a number is mean \u00b1 sd of the expression, "
+                          "bold with an arrow what lies outside it")
                            .arg(header->text(), QString::fromUtf8(factors[i % 6]), i < 6 ? "x" : "y", units[i % 6]));
     setHorizontalHeaderItem(i, header);
   }
@@ -130,10 +127,11 @@ void CoefficientTable::fillCoefficient(int region, int coefficient) {
   const double value = valueOf(table_, region, coefficient);
   const double difference = hasMean_ ? value - valueOf(mean_, region, coefficient) : 0.0;
   const double deviation = hasMean_ ? deviationOf(mean_, region, coefficient) : 0.0;
-  const int side = sideOf(difference, deviation);
+  const double largest = table_.maps[region - 1].coefficients.cwiseAbs().maxCoeff();
+  const int side = hasMean_ ? sideOfRange(table_, mean_, region, coefficient) : 0;
   QTableWidgetItem* cell = item(region - 1, coefficient);
   const QString arrow = side == 0 ? QString() : side < 0 ? QStringLiteral("\u25be") : QStringLiteral("\u25b4");
-  cell->setText(cellText(value) + arrow);
+  cell->setText(cellText(value, largest) + arrow);
   cell->setData(RangeDelegate::placeRole, deviation > 0.0 ? QVariant(difference / deviation) : QVariant());
   QFont font = this->font();
   font.setBold(side != 0);
@@ -165,7 +163,7 @@ QString CoefficientTable::detail() const {
   const double mean = valueOf(mean_, region, coefficient), deviation = deviationOf(mean_, region, coefficient);
   return tr("%1: %2 = %3 (%4), %5 %6 \u00b1 %7 of %8")
       .arg(name, QString::fromStdString(coefficientName(coefficient)), number(value), units[coefficient % 6],
-           sideText(sideOf(value - mean, deviation)), number(mean), number(deviation),
+           sideText(sideOfRange(table_, mean_, region, coefficient)), number(mean), number(deviation),
            QString::fromStdString(meanName_));
 }
 
@@ -183,7 +181,7 @@ std::string CoefficientTable::text() const {
       }
       const double mean = valueOf(mean_, region, i), deviation = deviationOf(mean_, region, i);
       for (double number : {value, mean, deviation}) appendNumber(text += ",", number);
-      const int side = sideOf(value - mean, deviation);
+      const int side = sideOfRange(table_, mean_, region, i);
       text += side == 0 ? ",inside\n" : side < 0 ? ",below\n" : ",above\n";
     }
   return text;

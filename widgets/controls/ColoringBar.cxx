@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <algorithm>
 
 #include "FaceColoring.h"
 #include "SessionPart.h"
@@ -15,7 +16,8 @@ namespace mien {
 namespace {
 
 constexpr double largestValue = 1e6;
-constexpr int decimals = 4, fieldWidth = 78;  // digits, pixels
+constexpr int decimals = 4, fieldWidth = 62;  // digits, pixels
+constexpr int usualLetters = 17, mostLetters = 31;
 
 }  // namespace
 
@@ -36,7 +38,7 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
   label->setBuddy(choice_);
   for (QWidget* widget : std::initializer_list<QWidget*>{label, choice_, automatic_, begin_, end_})
     row->addWidget(widget);
-  QToolButton* curves = toggle("faceCurves", tr("Curves"), tr("The 29 boundary curves on the face"));
+  QToolButton* curves = toggle("faceCurves", tr("Curve lines"), tr("The 29 boundary curves as lines on the face"));
   QToolButton* names =
       toggle("faceCurveNames", tr("Names"),
              tr("The names of the curves beside the face: C1 .. C28, and C22', the lower lip's inner contour"));
@@ -62,9 +64,9 @@ void ColoringBar::describe() {
   choice_->setObjectName("colorBy");
   choice_->setToolTip(
       tr("What the face is coloured by: its skin, a photograph (dock Texture), its nine patches, or an "
-         "array of the surface with its unit"));
+         "array of the surface with its unit; or what a dock shows on it, until another is chosen here"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  choice_->setMinimumContentsLength(17);
+  choice_->setMinimumContentsLength(usualLetters);
   automatic_->setChecked(true);
   begin_->setObjectName("colorBegin");
   begin_->setToolTip(tr("The value that has the first colour, in the unit of the colour bar"));
@@ -75,6 +77,7 @@ void ColoringBar::describe() {
     box->setDecimals(decimals);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     box->setKeyboardTracking(false);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setFixedWidth(fieldWidth);
   }
 }
@@ -94,14 +97,20 @@ void ColoringBar::list() {
   choice_->clear();
   choice_->addItems(coloring_->choices());
   choice_->insertSeparator(3);
+  if (!coloring_->ofDock().isEmpty()) {
+    choice_->insertSeparator(choice_->count());
+    choice_->addItem(coloring_->ofDock());
+  }
+  const int letters = coloring_->ofDock().size() + 1;  // the range, which takes room else, is hidden then
+  choice_->setMinimumContentsLength(std::clamp(letters, usualLetters, mostLetters));
   follow();
 }
 
 void ColoringBar::follow() {
   const QSignalBlocker quiet[] = {QSignalBlocker(choice_), QSignalBlocker(begin_), QSignalBlocker(end_),
                                   QSignalBlocker(automatic_)};
-  const QString chosen = coloring_->chosen();  // a separator has no text either
-  choice_->setCurrentIndex(chosen.isEmpty() ? -1 : choice_->findText(chosen));
+  choice_->setCurrentIndex(choice_->findText(coloring_->chosen()));
+  choice_->setProperty(notInSession, !coloring_->ofDock().isEmpty());  // the dock's own settings show it again
   automatic_->setChecked(coloring_->isAutomatic());
   for (QWidget* widget : std::initializer_list<QWidget*>{automatic_, begin_, end_})
     widget->setVisible(coloring_->isNumbers());

@@ -26,7 +26,7 @@ ComparisonBar::ComparisonBar(Comparison* comparison, QWidget* parent)
   choice_->setToolTip(
       tr("Shows a second face B beside A, and how far they lie apart (mm): A as it is now, which stays while A goes "
          "on; A in another scheme, which moves along; or a mesh or scan in mm and in the pose of the face. In any "
-         "other unit or pose a scan is placed by the dock Curves"));
+         "other unit or pose a scan is placed by the dock Curves and scan"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   choice_->setMinimumContentsLength(13);
   list();

@@ -62,6 +62,8 @@ void FAPRow::build(const FAPDefinition& fap) {
   name_->setObjectName(QString("fapName%1").arg(fap_));
   length_->setObjectName(QString("fapLength%1").arg(fap_));
   length_->setProperty("faint", true);
+  length_->setAlignment(Qt::AlignRight);
+  length_->setMinimumWidth(length_->fontMetrics().horizontalAdvance("-88.8 mm"));  // what is beside it stays
   reset_->setObjectName(QString("fapReset%1").arg(fap_));
   reset_->setIcon(icon(Symbol::Reset));
   reset_->setIconSize({12, 12});

@@ -12,8 +12,10 @@
 #include <QVariant>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "ColorTable.h"
+#include "MotionVectorFigure.h"
 #include "RenderView.h"
 
 namespace mien {
@@ -183,21 +185,39 @@ void VectorControls::connectAll() {
 }
 
 void VectorControls::followChoices() {
-  const bool even = sampling_->currentIndex() <= evenly;
-  spacing_->setEnabled(sampling_->currentIndex() != bySize);
-  {
-    const QSignalBlocker quiet(spacing_);
-    spacing_->setSuffix(even ? tr(" mm") : QString());
-    spacing_->setPrefix(even ? QString() : tr("n = "));
-    spacing_->setDecimals(even ? 1 : 0);
-    spacing_->setMaximum(even ? mostSpacing : mostStep);
+  showSpacing(sampling_->currentIndex() <= evenly);
+  const std::pair<QDoubleSpinBox*, bool> values[] = {{spacing_, sampling_->currentIndex() != bySize},
+                                                     {scaleValue_, scale_->currentIndex() == given},
+                                                     {rangeValue_, range_->currentIndex() == givenRange}};
+  for (const auto& [value, isGiven] : values) {
+    value->setEnabled(isGiven);
+    value->setProperty(notInSession, !isGiven);  // as it shows what is in effect
   }
-  scaleValue_->setEnabled(scale_->currentIndex() == given);
-  rangeValue_->setEnabled(range_->currentIndex() == givenRange);
   scale_->setEnabled(length_->currentIndex() != static_cast<int>(Length::Equal));
   map_->setEnabled(color_->currentIndex() != static_cast<int>(Color::None));
   emit scaleChanged();
   emit changed();
+}
+
+void VectorControls::showSpacing(bool isEven) {
+  const QSignalBlocker quiet(spacing_);
+  spacing_->setSuffix(isEven ? tr(" mm") : QString());
+  spacing_->setPrefix(isEven ? QString() : tr("n = "));
+  spacing_->setDecimals(isEven ? 1 : 0);
+  spacing_->setMaximum(isEven ? mostSpacing : mostStep);
+}
+
+void VectorControls::showInEffect(const MotionVectorFigure& figure) {
+  const QSignalBlocker quiet[] = {QSignalBlocker(spacing_), QSignalBlocker(scaleValue_), QSignalBlocker(rangeValue_)};
+  const VectorSampling& sampling = figure.sampling();
+  const bool isEven = sampling.kind == VectorSampling::Kind::Even;
+  if (!spacing_->isEnabled()) {
+    showSpacing(isEven);
+    spacing_->setValue(isEven ? sampling.spacing : sampling.step);
+  }
+  const bool moves = figure.reference() > 0.0;
+  if (!scaleValue_->isEnabled() && moves) scaleValue_->setValue(figure.scale());
+  if (!rangeValue_->isEnabled() && moves && !figure.lacksTowards()) rangeValue_->setValue(figure.rangeEnd());
 }
 
 bool VectorControls::followsView() const {
@@ -229,8 +249,10 @@ MotionVectorOptions VectorControls::options() const {
   look(options.picture.plane);
   VectorSampling& sampling = options.picture.sampling;
   sampling.kind = samplings[sampling_->currentIndex()];
-  sampling.spacing = spacing_->value();
-  sampling.step = static_cast<int>(std::lround(spacing_->value()));
+  if (sampling_->currentIndex() != bySize) {
+    sampling.spacing = spacing_->value();
+    sampling.step = static_cast<int>(std::lround(spacing_->value()));
+  }
   options.picture.wholeFrame = whole_->isChecked();
   options.length = static_cast<Length>(length_->currentIndex());
   options.color = static_cast<Color>(color_->currentIndex());

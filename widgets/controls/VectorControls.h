@@ -12,6 +12,7 @@ class QGridLayout;
 
 namespace mien {
 
+class MotionVectorFigure;
 class RenderView;
 
 /// How is a motion vector field drawn? Origin, view, region, sampling, arrows, colours, below each other. Its widgets
@@ -31,7 +32,8 @@ class VectorControls : public QWidget, public SessionPart {
   std::string region() const;  ///< as VectorRegion reads it; empty: the whole face
   QString viewName() const;    ///< in words
   bool headMotionRemoved() const;
-  bool followsView() const;  ///< whether the direction is that of the other view
+  void showInEffect(const MotionVectorFigure& figure);  ///< what automatic choices have come to, in their places
+  bool followsView() const;                             ///< whether the direction is that of the other view
 
   /// A rectangle in the picture, mm to the right and up; it is the last of the list of regions, in the place of one
   /// before.
@@ -56,6 +58,7 @@ class VectorControls : public QWidget, public SessionPart {
   void buildArrows();
   void connectAll();
   void followChoices();
+  void showSpacing(bool isEven);
   void listDragged(const QString& name);
   void look(PicturePlane& plane) const;
 

@@ -4,7 +4,9 @@
 #include <QPointer>
 #include <QWidget>
 #include <algorithm>
+#include <memory>
 
+#include "FigureWords.h"
 #include "RenderView.h"
 #include "Theme.h"
 #include "ViewPicture.h"
@@ -14,6 +16,7 @@ namespace mien {
 namespace {
 
 constexpr double usualWidth = 85.0;             // mm, one column of a page
+constexpr double panelGap = 2.0;                // mm, between views
 constexpr double keyPixelsPerMillimetre = 4.8;  // letters of about 6 pt
 
 /// The colours of the screen on the page of the figure.
@@ -42,29 +45,75 @@ void paintKey(QPainter& painter, QWidget* key, const QRectF& place) {
   key->resize(before);
 }
 
-}  // namespace
+/// Where everything stands on the page, figure units.
+class ViewPage {
+ public:
+  ViewPage(const std::vector<ViewPanel>& panels, QWidget* key, const std::string& note, const ExportOptions& options)
+      : views_(panels.size()), key_(key), options_(options) {
+    const double count = static_cast<double>(panels.size());
+    const double usual = panels.size() > 1 ? ExportDrawing::pageWidth : usualWidth;
+    const double millimetres = options.width > 0.0 ? options.width : usual;
+    width_ = millimetres * figureUnitsPerMillimetre;
+    face_.setWidth((width_ - (count - 1.0) * gap()) / count);
+    const RenderView* first = panels.front().view;
+    face_.setHeight(face_.width() * first->height() / std::max(1, first->width()));
+    for (size_t i = 0; i < panels.size(); ++i) {
+      views_[i] = panels[i].view;
+      captions_.emplace_back("", panels[i].caption, "", face_.width() / figureUnitsPerMillimetre);
+      captionHeight_ = std::max(captionHeight_, captions_.back().belowHeight());
+    }
+    if (key && key->isVisibleTo(key->window()))
+      keyHeight_ = key->sizeHint().height() * figureUnitsPerMillimetre / keyPixelsPerMillimetre;
+    note_ = FigureWords("", "", note, millimetres);
+  }
 
-ExportDrawing viewDrawing(RenderView* view, QWidget* key, const std::string& title, const ExportOptions& options) {
-  ExportDrawing drawing;
-  drawing.title = title;
-  const double width = (options.width > 0.0 ? options.width : usualWidth) * figureUnitsPerMillimetre;
-  const QSizeF face(width, width * view->height() / std::max(1, view->width()));
-  const bool hasKey = key && key->isVisibleTo(view->window());
-  const double keyHeight = hasKey ? key->sizeHint().height() * figureUnitsPerMillimetre / keyPixelsPerMillimetre : 0.0;
-  drawing.size = face + QSizeF(0.0, keyHeight);
-  const QPointer<RenderView> shown(view);
-  const QPointer<QWidget> below(key);
-  drawing.paint = [=](QPainter& painter) {
-    if (!shown) return;
-    const Theme theme = themeOf(options);
+  QSizeF size() const { return {width_, keyTop() + keyHeight_ + note_.belowHeight() + (hasWords() ? gap() : 0.0)}; }
+
+  void paint(QPainter& painter) const {
+    const Theme theme = themeOf(options_);
     {
       const BorrowedTheme borrowed(theme);
-      painter.fillRect(QRectF(QPointF(), face + QSizeF(0.0, keyHeight)), theme.viewTop);
-      painter.drawImage(QRectF(QPointF(), face), viewPicture(shown, pixelsOf(face, options, painter)));
-      if (hasKey && below) paintKey(painter, below, QRectF(0.0, face.height(), width, keyHeight));
+      painter.fillRect(QRectF(QPointF(), size()), theme.viewTop);
+      for (size_t i = 0; i < views_.size(); ++i) paintView(painter, i);
+      if (keyHeight_ > 0.0 && key_) paintKey(painter, key_, QRectF(0.0, keyTop(), width_, keyHeight_));
     }
-    shown->useTheme();
-  };
+    note_.paintBelow(painter, options_.figureTheme(), keyTop() + keyHeight_);
+    for (const QPointer<RenderView>& view : views_)
+      if (view) view->useTheme();
+  }
+
+ private:
+  static double gap() { return panelGap * figureUnitsPerMillimetre; }
+  double keyTop() const { return face_.height() + captionHeight_; }
+  bool hasWords() const { return captionHeight_ + note_.belowHeight() > 0.0; }
+
+  void paintView(QPainter& painter, size_t index) const {
+    if (!views_[index]) return;
+    painter.save();
+    painter.translate(index * (face_.width() + gap()), 0.0);
+    painter.drawImage(QRectF(QPointF(), face_), viewPicture(views_[index], pixelsOf(face_, options_, painter)));
+    captions_[index].paintBelow(painter, options_.figureTheme(), face_.height());
+    painter.restore();
+  }
+
+  std::vector<QPointer<RenderView>> views_;
+  std::vector<FigureWords> captions_;
+  FigureWords note_{"", "", "", usualWidth};
+  QPointer<QWidget> key_;
+  ExportOptions options_;
+  QSizeF face_;
+  double width_ = 0.0, captionHeight_ = 0.0, keyHeight_ = 0.0;
+};
+
+}  // namespace
+
+ExportDrawing viewDrawing(const std::vector<ViewPanel>& panels, QWidget* key, const std::string& title,
+                          const std::string& note, const ExportOptions& options) {
+  const auto page = std::make_shared<ViewPage>(panels, key, note, options);
+  ExportDrawing drawing;
+  drawing.title = title;
+  drawing.size = page->size();
+  drawing.paint = [page](QPainter& painter) { page->paint(painter); };
   return drawing;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ExportDrawing.h"
 
@@ -10,8 +11,18 @@ namespace mien {
 
 class RenderView;
 
-/// A view of the face as a figure: a picture of it, and below it what its colours mean, as lines and text.
-/// @param key  drawn when it is visible
-ExportDrawing viewDrawing(RenderView* view, QWidget* key, const std::string& title, const ExportOptions& options);
+/// A view in a figure.
+struct ViewPanel {
+  RenderView* view;
+  std::string caption = {};  ///< below it, in words; may be empty
+};
+
+/// Views of the face as a figure: pictures of them beside each other, of one size, and below them what their colours
+/// mean, as lines and text. The page is a column wide for one, the width of a page's text for several, unless the
+/// options say otherwise.
+/// @param key   drawn when it is visible
+/// @param note  below all, small; may be empty
+ExportDrawing viewDrawing(const std::vector<ViewPanel>& panels, QWidget* key, const std::string& title,
+                          const std::string& note, const ExportOptions& options);
 
 }  // namespace mien

@@ -19,6 +19,7 @@
 #include "ContinuityTable.h"
 #include "CsvTable.h"
 #include "ExportButton.h"
+#include "FaceCaption.h"
 #include "FaceModel.h"
 #include "FaceScheme.h"
 #include "FaceView.h"
@@ -55,7 +56,7 @@ ContinuityPanel::ContinuityPanel(FaceModel* model, FaceView* view, QWidget* pare
       view_(view),
       table_(new ContinuityTable(this)),
       figure_(new FigureView("continuityFigure", FigureView::Marker::Line, this)),
-      overlay_(new FaceOverlay(view, this)),
+      overlay_(new FaceOverlay(view, tr("Continuity"), this)),
       flight_(new CameraFlight(view, this)),
       rows_(new QComboBox(this)),
       part_(new QComboBox(this)),
@@ -200,7 +201,9 @@ Figure ContinuityPanel::profileFigure() const {
   axis.begin = 0.0;
   if (largest < kind.leastRange) axis.end = kind.leastRange;  // rounding is not stretched to fill the chart
   Figure figure = continuityFigure(profiles, axis);
-  figure.note = parameterText(model_->state().surface);
+  std::vector<std::string> shown;
+  for (const SeamProfile& profile : profiles) shown.push_back(profile.scheme);
+  describeFace(*model_, shown, true, figure);
   return figure;
 }
 
@@ -263,6 +266,9 @@ void ContinuityPanel::flyTo(double v) {
 void ContinuityPanel::paintFace() {
   const OnFace what = static_cast<OnFace>(onFace_->currentIndex());
   if (what == Skin) return overlay_->hide();
+  overlay_->setSubject(what == MeanCurvature       ? tr("Curvature H")
+                       : what == GaussianCurvature ? tr("Curvature K")
+                                                   : onFace_->currentText());
   what == Seamlines ? paintSeams() : paintSurface(what);
 }
 
@@ -301,10 +307,10 @@ void ContinuityPanel::paintSurface(OnFace what) {
   const auto diverging = FaceOverlay::Colors::Diverging;
   if (what == Zebra) overlay_->showZebra(surface);
   if (what == MeanCurvature)
-    overlay_->showSurface(surface, "MeanCurvature", {tr("mean curvature H (1/mm)"), -meanRange, meanRange, diverging});
+    overlay_->showSurface(surface, "MeanCurvature", {tr("Mean curvature H (1/mm)"), -meanRange, meanRange, diverging});
   if (what == GaussianCurvature)
     overlay_->showSurface(surface, "GaussianCurvature",
-                          {tr("Gaussian curvature K (1/mm^2)"), -gaussianRange, gaussianRange, diverging});
+                          {tr("Gaussian curvature K (1/mm\u00b2)"), -gaussianRange, gaussianRange, diverging});
 }
 
 }  // namespace mien

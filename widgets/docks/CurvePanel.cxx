@@ -154,7 +154,7 @@ void CurvePanel::describeMove() {
 void CurvePanel::describeButtons() {
   makeFramed(apply_, "curveApply", tr("Move"), tr("Moves the point; what would make curves cross is refused"));
   makeFramed(drag_, "curveDrag", tr("Edit in the view"),
-             tr("Points of the curves are dragged with the mouse in the view Curves, in its plane, with this width, "
+             tr("Points of the curves are dragged with the mouse in the curve view, in its plane, with this width, "
                 "spread and mirror; Escape cancels a drag"));
   drag_->setCheckable(true);
   drag_->setProperty(notInSession, true);  // a mode of the mouse

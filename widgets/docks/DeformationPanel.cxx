@@ -14,10 +14,10 @@
 
 #include "CoefficientTable.h"
 #include "DeformationChoice.h"
-#include "DeformationText.h"
 #include "ElidedLabel.h"
 #include "ExportButton.h"
 #include "FaceModel.h"
+#include "FaceNote.h"
 #include "FaceView.h"
 #include "FigureView.h"
 #include "FitBar.h"
@@ -27,7 +27,6 @@
 #include "PresentTable.h"
 #include "RecognitionFigure.h"
 #include "RegionOverlay.h"
-#include "SurfaceParameters.h"
 
 namespace mien {
 
@@ -41,13 +40,6 @@ QString droppedTable(const QMimeData* data) {
     for (const char* ending : {".csv", ".fdt"})
       if (url.isLocalFile() && url.toLocalFile().endsWith(ending, Qt::CaseInsensitive)) return url.toLocalFile();
   return {};
-}
-
-QVBoxLayout* columnOf(QWidget* box) {
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2);
-  return column;
 }
 
 }  // namespace
@@ -72,8 +64,9 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
   column->setContentsMargins(8, 4, 8, 6);
   column->setSpacing(4);
   column->addWidget(controls());
-  column->addWidget(fitRow());
-  column->addWidget(new FlipBox(coefficientColumn(), expressionColumn(), 5, 2, this), 1);
+  column->addWidget(new FitBar(model_, present_, this));
+  column->addWidget(new FlipBox(coefficients_, expressionColumn(), 5, 2, this), 1);
+  column->addWidget(rangeRow());
   connectControls();
   new LiveUpdate(
       model, this, [this] { refresh(); }, [this] { return overlay_->isShown(); });
@@ -100,7 +93,8 @@ void DeformationPanel::describeControls() {
   detail_->setObjectName("deformationDetail");
   expression_->setObjectName("deformationExpression");
   expression_->setToolTip(
-      tr("The mean table that explains most of the movement from A to the present face, and its intensity"));
+      tr("The mean table that explains most of the movement from A to the present face, and its intensity: the factor, "
+         "50 % to 150 %, by which that table's movement comes nearest"));
   detail_->setProperty("faint", true);
   expression_->setProperty("heading", true);
   figure_->setAccessibleName(tr("Movement that each expression does not explain"));
@@ -122,28 +116,23 @@ QWidget* DeformationPanel::controls() {
   return box;
 }
 
-QWidget* DeformationPanel::fitRow() {
+/// Whose coefficients the table shows, and the one that is chosen in words.
+QWidget* DeformationPanel::rangeRow() {
   auto* box = new QWidget(this);
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(new FitBar(model_, present_, box), 1);
+  row->addWidget(detail_, 1);
   row->addWidget(shown_);
   row->addWidget(new QLabel(tr("against"), box));
   row->addWidget(mean_);
   return box;
 }
 
-QWidget* DeformationPanel::coefficientColumn() {
-  auto* box = new QWidget(this);
-  auto* column = columnOf(box);
-  column->addWidget(coefficients_, 1);
-  column->addWidget(detail_);
-  return box;
-}
-
 QWidget* DeformationPanel::expressionColumn() {
   auto* box = new QWidget(this);
-  auto* column = columnOf(box);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
   column->addWidget(expression_);
   column->addWidget(figure_, 1);
   return box;
@@ -194,9 +183,9 @@ Figure DeformationPanel::figure() const {
   const auto& fit = present_->fit();
   if (!fit || !fit->fault.isEmpty() || !fit->moves()) return {};
   Figure figure = recognitionFigure(PresentTable::expressions(), fit->scores);
-  const QString table = deformationText(model_->state().deformation);
-  figure.note = parameterText(model_->state().surface) + "; from A: " + present_->neutralText().toStdString() +
-                (table.isEmpty() ? "; no table" : "; table " + table.toStdString());
+  const FaceState state = model_->lastingState();
+  figure.note = faceNote(state, {state.surface.scheme}, true, model_->frameText()) +
+                "; from A: " + present_->neutralText().toStdString();
   return figure;
 }
 
@@ -210,7 +199,7 @@ void DeformationPanel::showExpression() {
                          : QString());
   } else {
     const RecognitionScore& score = fit->scores.front();
-    expression_->setText(tr("Nearest: %1, intensity %2 %")
+    expression_->setText(tr("Nearest: %1 at %2 % of its mean")
                              .arg(QString::fromStdString(PresentTable::expressions()[score.expression]))
                              .arg(100.0 * score.intensity, 0, 'f', 0));
     shown.title.clear();

@@ -32,8 +32,7 @@ class DeformationPanel : public QWidget {
 
  private:
   QWidget* controls();
-  QWidget* fitRow();
-  QWidget* coefficientColumn();
+  QWidget* rangeRow();
   QWidget* expressionColumn();
   void describeControls();
   void connectControls();

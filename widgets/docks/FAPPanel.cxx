@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 #include "FAPList.h"
 #include "FAPRow.h"
@@ -23,6 +24,8 @@ namespace {
 
 /// The groups of the standard that the 22 FAPs come from, from the top of the face down.
 constexpr int brows = 4, eyes = 3, cheeks = 5, nose = 9, mouth = 8;
+
+constexpr int pageMargins = 16;  // pixels
 
 constexpr const char* mirrorKey = "faps/mirror";
 constexpr const char* allKey = "faps/all";
@@ -70,6 +73,7 @@ FAPPanel::FAPPanel(FaceModel* model, QWidget* parent)
   column->addWidget(header());
   column->addWidget(pages_, 1);
   column->addWidget(footer());
+  column->addStretch();  // below all, and not between the last FAP and the lock
   connect(model_, &FaceModel::stateChanged, this, &FAPPanel::follow);
   connect(model_, &FaceModel::updated, this, &FAPPanel::follow);
   connect(model_, &FaceModel::tableChanged, this, &FAPPanel::followTable);
@@ -82,6 +86,7 @@ FAPPanel::FAPPanel(FaceModel* model, QWidget* parent)
 /// The tabs, or in their place the search, and beside them what changes between them.
 QWidget* FAPPanel::header() {
   auto* bar = new QWidget(this);
+  bar->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
@@ -148,16 +153,20 @@ void FAPPanel::addRow(int fap) {
 void FAPPanel::arrange() {
   const bool isList = all_->isChecked();
   head_->setCurrentIndex(isList ? 1 : 0);
+  pages_->setMaximumHeight(QWIDGETSIZE_MAX);
   if (isList) {
     list_->take(rows_);
     list_->filter(search_->text());
     return pages_->setCurrentWidget(list_);
   }
+  int tallest = 0;
   for (int fap : paperSubset()) {
     tabColumns_.value(fapDefinition(fap).group)->addWidget(rows_.value(fap));
     rows_.value(fap)->show();
   }
   pages_->setCurrentIndex(tabs_->currentIndex());
+  for (QVBoxLayout* rows : qAsConst(tabColumns_)) tallest = std::max(tallest, rows->sizeHint().height());
+  pages_->setMaximumHeight(tallest + pageMargins);
 }
 
 QWidget* FAPPanel::footer() {

@@ -8,7 +8,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -31,13 +30,15 @@
 #include "FaceView.h"
 #include "FramedButton.h"
 #include "LengthUnit.h"
+#include "RangeBox.h"
 
 namespace mien {
 
 namespace {
 
 constexpr double translucent = 0.45;
-constexpr int longestName = 150;  // pixels
+constexpr int longestName = 150;        // pixels
+constexpr double longestRange = 100.0;  // mm
 const QColor scanColor("#5b8fc7");
 const char* const endings[] = {".ply", ".obj", ".stl", ".off", ".csv"};
 
@@ -66,7 +67,7 @@ ScanPanel::ScanPanel(FaceModel* model, FaceView* view, QWidget* parent)
       subject_(new QComboBox(this)),
       visible_(new QCheckBox(tr("Show scan"), this)),
       frontal_(new QCheckBox(tr("Front only"), this)),
-      largest_(new QDoubleSpinBox(this)),
+      largest_(new RangeBox("scanLargest", longestRange, this)),
       progress_(new QProgressBar(this)),
       report_(new QPlainTextEdit(this)) {
   setObjectName("scanPanel");
@@ -124,14 +125,10 @@ void ScanPanel::describeMap() {
   subject_->setAccessibleName(tr("Distances"));
   subject_->addItems({tr("not shown"), tr("on the face"), tr("on the scan")});
   subject_->setToolTip(tr("Colours the face, or the scan, by the distance to the other"));
-  largest_->setObjectName("scanLargest");
   largest_->setAccessibleName(tr("Largest distance"));
-  largest_->setRange(0.1, 100.0);
-  largest_->setDecimals(1);
-  largest_->setValue(5.0);
-  largest_->setPrefix(tr("0 .. "));
-  largest_->setSuffix(" mm");
-  largest_->setToolTip(tr("The distance that has the last colour; what is further away has it too"));
+  largest_->setToolTip(
+      tr("The distance in mm that has the last colour; what is further away has it too. 0, automatic: a round number "
+         "that 95 % of the distances lie below"));
   frontal_->setObjectName("scanFrontal");
   frontal_->setChecked(true);
   frontal_->setToolTip(
@@ -166,6 +163,7 @@ void ScanPanel::connectMap() {
   connect(map_, &DistanceMap::changed, this, [this] {
     const QSignalBlocker silent(subject_);
     subject_->setCurrentIndex(static_cast<int>(map_->subject()));
+    largest_->showAutomatic(map_->automaticLargest());
     showReport();
     showScan();
   });
@@ -291,8 +289,9 @@ void ScanPanel::measure() {
 
 void ScanPanel::take(const Found& found) {
   if (!found.fault.empty()) {
-    emit model_->failed(QString::fromStdString(found.fault),
-                        tr("The boxes Unit and Landmarks of the dock Curves stand for --units and --landmarks."));
+    emit model_->failed(
+        QString::fromStdString(found.fault),
+        tr("The boxes Unit and Landmarks of the dock Curves and scan stand for --units and --landmarks."));
     return;
   }
   curves_ = found.scan.curves;

@@ -12,7 +12,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QMimeData;
 class QPlainTextEdit;
 class QProgressBar;
@@ -24,6 +23,7 @@ namespace mien {
 class BackgroundTask;
 class FaceModel;
 class FaceView;
+class RangeBox;
 
 /// What face does a scan have, and how far is the present one from it? A scan is measured off the GUI thread and shown
 /// beside the face; its curves can become the face, and distances are shown as colours.
@@ -75,7 +75,7 @@ class ScanPanel : public QWidget, public SessionPart {
   QToolButton *open_, *landmarks_, *adopt_, *cancel_;
   QComboBox *unit_, *subject_;
   QCheckBox *visible_, *frontal_;
-  QDoubleSpinBox* largest_;
+  RangeBox* largest_;
   QProgressBar* progress_;
   QPlainTextEdit* report_;
   vtkNew<vtkActor> actor_;

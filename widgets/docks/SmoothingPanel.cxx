@@ -19,6 +19,7 @@
 #include "BackgroundTask.h"
 #include "BoundaryCurveData.h"
 #include "ExportButton.h"
+#include "FaceCaption.h"
 #include "FaceModel.h"
 #include "FaceThumbnail.h"
 #include "FigureView.h"
@@ -121,7 +122,7 @@ void SmoothingPanel::describeControls() {
   measure_->setMinimumContentsLength(20);  // filled when the first sweep is there
   measure_->setToolTip(tr("What is drawn over a; departures are from the same scheme's surface at a = 1"));
   allSchemes_->setObjectName("smoothingAllSchemes");
-  allSchemes_->setToolTip(tr("A line for every scheme; a cross where its surface is no face any more"));
+  allSchemes_->setToolTip(tr("A line for every scheme; a marker above the plot where its surface ceases to be a face"));
   range_->setObjectName("smoothingRange");
   range_->setAccessibleName(tr("Values of a"));
   range_->setToolTip(
@@ -186,8 +187,7 @@ void SmoothingPanel::connectControls() {
     if (!running && records_.empty())
       figure_->setHint(tr("The sweep was cancelled; press Return in the range of a to start it again."));
   });
-  connect(model_, &FaceModel::stateChanged, this,
-          [this] { figure_->setMarked(model_->state().surface.smoothing.front()); });
+  connect(model_, &FaceModel::stateChanged, this, &SmoothingPanel::markPresent);
 }
 
 /// Three decimals, as the surface dock shows it.
@@ -237,8 +237,14 @@ bool SmoothingPanel::takeSubject(Subject& subject) {
   return true;
 }
 
+void SmoothingPanel::markPresent() {
+  const double a = model_->state().surface.smoothing.front();
+  figure_->setMarked(a);
+  figure_->setMarkerName(tr("this face, a = %1").arg(a));
+}
+
 void SmoothingPanel::refresh() {
-  figure_->setMarked(model_->state().surface.smoothing.front());
+  markPresent();
   Subject subject;
   if (!takeSubject(subject) || subject.sameAs(subject_)) return;
   const bool onlyMoves = subject.asksTheSameAs(subject_);  // a face that keeps moving would never see a sweep end
@@ -286,8 +292,8 @@ Figure SmoothingPanel::sweepFigureOfAll() const {
   for (const SweepBreakdown& breakdown : findBreakdowns(records_))
     if (breakdown.found) breakdowns[breakdown.scheme] = breakdown.smoothing;
   Figure figure = sweepFigure(records_, breakdowns, swept_.reference);
-  figure.note = "N = " + std::to_string(swept_.surface.modes) + (swept_.surface.remainder ? ", with" : ", without") +
-                " remainder, grid " + std::to_string(rows) + " x " + std::to_string(columns);
+  figure.note = "grid " + std::to_string(rows) + " x " + std::to_string(columns);
+  describeFace(*model_, swept_.schemes, false, figure);
   return figure;
 }
 

@@ -41,6 +41,7 @@ class SmoothingPanel : public QWidget {
   void describeControls();
   void connectControls();
   void refresh();
+  void markPresent();
   bool readRange();
   bool takeSubject(Subject& subject);
   void startSweep(bool afterTheLast);

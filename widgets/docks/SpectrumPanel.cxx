@@ -23,6 +23,7 @@
 
 #include "CsvTable.h"
 #include "ExportButton.h"
+#include "FaceCaption.h"
 #include "FaceModel.h"
 #include "FaceView.h"
 #include "FigureView.h"
@@ -83,7 +84,7 @@ SpectrumPanel::SpectrumPanel(FaceModel* model, FaceView* view, QWidget* parent)
     : QWidget(parent),
       model_(model),
       figure_(new FigureView("spectrumFigure", FigureView::Marker::Band, this)),
-      overlay_(new FaceOverlay(view, this)),
+      overlay_(new FaceOverlay(view, tr("Spectrum"), this)),
       measure_(new QComboBox(this)),
       mode_(new QComboBox(this)),
       partial_(new QCheckBox(tr("Partial sum"), this)),
@@ -208,7 +209,7 @@ Figure SpectrumPanel::fullFigure() const {
   if (rowCount() == 0) return {};
   const FaceSurfaceOptions& surface = model_->state().surface;
   Figure figure = spectrumFigure({{surface.scheme, measuresOf(modes_->GetSpectrum())}}, {});
-  figure.note = parameterText(surface);
+  describeFace(*model_, {surface.scheme}, true, figure);
   return figure;
 }
 
@@ -257,8 +258,11 @@ void SpectrumPanel::paintFace() {
   addLengths(surface, row_ == 0);
   const double largest = surface->GetPointData()->GetArray(lengthArray)->GetRange()[1];
   const QString name = mode_->itemText(row_);
-  const QString title = name == "remainder" ? tr("remainder (mm)") : tr("mode %1 (mm)").arg(name);
-  overlay_->showSurface(surface, lengthArray, {title, 0.0, colorRange(largest), FaceOverlay::Colors::Sequential});
+  const QString subject = name == "remainder" ? tr("Remainder") : tr("Mode %1").arg(name);
+  overlay_->setSubject(subject);
+  overlay_->showSurface(
+      surface, lengthArray,
+      {tr("%1, length (mm)").arg(subject), 0.0, colorRange(largest), FaceOverlay::Colors::Sequential});
 }
 
 }  // namespace mien

@@ -191,6 +191,7 @@ void VectorPanel::show() {
   const MotionResult& result = motion_->result();
   figure_->setHint(result.fault);
   figure_->setFigure(result.figure);
+  if (result.figure) controls_->showInEffect(*result.figure);
   numbers_->setText(summary());
 }
 

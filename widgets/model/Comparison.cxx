@@ -108,6 +108,13 @@ QString Comparison::name() const {
   return kind_ == Kind::Scheme ? scheme_ : kind_ == Kind::Mesh ? QFileInfo(file_).fileName() : words_;
 }
 
+QString Comparison::nameOfA() const {
+  const std::string words = model_->motionText();
+  const QString motion = words.empty() ? tr("the neutral face") : QString::fromStdString(words);
+  return kind_ == Kind::Scheme ? tr("%1, %2").arg(QString::fromStdString(model_->state().surface.scheme), motion)
+                               : motion;
+}
+
 bool Comparison::corresponds() const {
   return distances_ && distances_->corresponds;
 }

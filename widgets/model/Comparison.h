@@ -40,7 +40,8 @@ class Comparison : public QObject, public SessionPart {
   void clear();
 
   Kind kind() const { return kind_; }
-  QString name() const;  ///< of B, in words
+  QString name() const;     ///< of B, in words
+  QString nameOfA() const;  ///< what moves A; and its scheme, where B has another
   QString scheme() const { return scheme_; }
   bool canSwap() const { return kind_ == Kind::State || kind_ == Kind::Scheme; }
 
@@ -48,7 +49,7 @@ class Comparison : public QObject, public SessionPart {
   vtkPolyData* mesh() const;              ///< of a file, with normals; nullptr: B is a face
   vtkPolyData* surface(Side side) const;  ///< a side's surface with the arrays; nullptr until it is measured
   bool corresponds() const;               ///< whether it was measured from each point to its counterpart
-  QString summary(Side side) const;  ///< RMS, 95 % and largest from that side to the other, in words
+  QString summary(Side side) const;       ///< RMS, 95 % and largest from that side to the other, in words
 
   /// {"kind": "none" | "state" | "scheme" | "mesh", "state": {..}, "scheme": "..", "file": ".."}, with the FaceState as
   /// FaceStateText writes it.

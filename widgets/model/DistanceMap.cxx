@@ -5,13 +5,22 @@
 #include <vtkReverseSense.h>
 #include <vtkSurfaceDistanceFilter.h>
 
+#include <algorithm>
+
 #include "BackgroundTask.h"
 #include "FaceModel.h"
 #include "FilterProgress.h"
 #include "PipelineErrors.h"
+#include "RoundedUp.h"
 #include "SurfaceDistance.h"
 
 namespace mien {
+
+namespace {
+
+constexpr double leastRange = 0.5;  // mm: what two fits of one curve differ by is not stretched over the colours
+
+}  // namespace
 
 struct DistanceMap::Measured {
   vtkSmartPointer<vtkPolyData> map;
@@ -20,7 +29,7 @@ struct DistanceMap::Measured {
 };
 
 DistanceMap::DistanceMap(FaceModel* model, FaceView* view, QObject* parent)
-    : QObject(parent), model_(model), task_(new BackgroundTask(this)), overlay_(view, this) {
+    : QObject(parent), model_(model), task_(new BackgroundTask(this)), overlay_(view, tr("Curves and scan"), this) {
   connect(model_, &FaceModel::updated, this, &DistanceMap::follow);
   connect(&overlay_, &FaceOverlay::shownChanged, this, [this](bool shown) {
     if (!shown) setSubject(Subject::None);
@@ -39,6 +48,7 @@ void DistanceMap::setScan(vtkPolyData* scan) {
 void DistanceMap::setSubject(Subject subject) {
   if (subject == subject_) return;
   subject_ = subject;
+  automatic_ = 0.0;
   follow();
 }
 
@@ -108,12 +118,17 @@ void DistanceMap::take(const Measured& measured) {
                  .arg(measured.summary.median, 0, 'f', 2)
                  .arg(measured.summary.percentile95, 0, 'f', 2)
                  .arg(measured.summary.maximum, 0, 'f', 2);
+  automatic_ = std::max({automatic_, leastRange, roundedUp(measured.summary.percentile95)});
   draw();
   emit changed();
 }
 
 void DistanceMap::draw() {
-  overlay_.showSurface(map_, "Distance", {tr("Distance [mm]"), 0.0, largest_, FaceOverlay::Colors::Sequential});
+  const bool onFace = subject_ == Subject::Face;
+  overlay_.setSubject(tr("Distance"));
+  overlay_.showSurface(map_, "Distance",
+                       {onFace ? tr("Distance to the scan (mm)") : tr("Distance to the face (mm)"), 0.0,
+                        largest_ > 0.0 ? largest_ : automatic_, FaceOverlay::Colors::Sequential});
 }
 
 }  // namespace mien

@@ -27,7 +27,10 @@ class DistanceMap : public QObject {
   void setScan(vtkPolyData* scan);  ///< mm, in the frame of the face; nullptr: none
   void setSubject(Subject subject);
   void setFrontalOnly(bool on);         ///< whether the numbers take z > 50 mm only
-  void setLargest(double millimetres);  ///< of the colours
+  void setLargest(double millimetres);  ///< of the colours; 0 (the default): automatic
+  double automaticLargest() const {
+    return automatic_;
+  }  ///< round, 95 % lie below; grows, and begins anew with setSubject()
   Subject subject() const { return subject_; }
   QString summary() const { return summary_; }  ///< RMS, median, 95 % and largest, in words; empty without a map
 
@@ -48,7 +51,7 @@ class DistanceMap : public QObject {
   vtkSmartPointer<vtkPolyData> scan_, map_;
   Subject subject_ = Subject::None;
   bool frontal_ = true;
-  double largest_ = 5.0;
+  double largest_ = 0.0, automatic_ = 0.0;  ///< mm
   QString summary_;
 };
 

@@ -30,11 +30,13 @@ std::string viewText(const FaceView& view) {
 
 }  // namespace
 
-QString renderCommand(const FaceModel& model, const FaceView& view) {
+QString renderCommand(const FaceModel& model, const FaceView& view, const FaceLook& look) {
   std::vector<std::string> words = {"mien", "render"};
   for (const std::string& word : faceArguments(model.lastingState())) words.push_back(word);
   const std::string style = styles[static_cast<int>(view.mesh())];
   if (!style.empty()) words.insert(words.end(), {"--style", style});
+  if (!look.array.empty()) words.insert(words.end(), {"--color-by", look.array});
+  if (look.hasCurves) words.push_back("--curves");
   if (const std::string direction = viewText(view); !direction.empty()) words.push_back("--view=" + direction);
   words.push_back("-o");
   words.push_back("face.png");

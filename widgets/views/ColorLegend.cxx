@@ -2,9 +2,6 @@
 
 #include <vtkLookupTable.h>
 #include <vtkPolyDataMapper.h>
-#include <vtkRenderer.h>
-#include <vtkScalarBarActor.h>
-#include <vtkTextProperty.h>
 #include <vtkVariant.h>
 
 #include <algorithm>
@@ -13,14 +10,13 @@
 
 #include "ColorTable.h"
 #include "PatchColors.h"
-#include "Theme.h"
 
 namespace mien {
 
 namespace {
 
 constexpr int blueToOrange[] = {0x16467f, 0x3b7bb8, 0x8fb8dc, 0xf2f2ef, 0xf0b27f, 0xd4772f, 0x8a4206};
-constexpr int steps = 256, labels = 5, fontSize = 11;
+constexpr int steps = 256;
 
 /// Between neighbours linear.
 QColor divergingAt(double share) {
@@ -35,16 +31,6 @@ QColor divergingAt(double share) {
 
 ColorLegend::ColorLegend() {
   colors_->SetNanColor(0.5, 0.5, 0.5, 1.0);
-  bar_->SetLookupTable(colors_);
-  bar_->SetOrientationToVertical();  // beside the face, not on its chin
-  bar_->SetNumberOfLabels(labels);
-  bar_->SetLabelFormat("%.3g");
-  bar_->SetPosition(0.02, 0.12);
-  bar_->SetPosition2(0.2, 0.76);
-  bar_->SetBarRatio(0.16);
-  bar_->SetVerticalTitleSeparation(8);
-  bar_->UnconstrainedFontSizeOn();
-  useTheme();
 }
 
 ColorLegend::~ColorLegend() = default;
@@ -65,7 +51,6 @@ void ColorLegend::setScale(const Scale& scale) {
   }
   colors_->SetTableRange(scale.begin, scale.end);
   colors_->Modified();
-  bar_->SetTitle(scale.title.toUtf8().constData());
 }
 
 void ColorLegend::setPatches() {
@@ -93,25 +78,6 @@ void ColorLegend::color(vtkPolyDataMapper* mapper, int component) const {
   mapper->SetLookupTable(colors_);
   mapper->UseLookupTableScalarRangeOn();
   mapper->SetInterpolateScalarsBeforeMapping(!colors_->GetIndexedLookup());
-}
-
-void ColorLegend::show(vtkRenderer* renderer) {
-  renderer->AddActor2D(bar_);
-}
-
-void ColorLegend::hide(vtkRenderer* renderer) {
-  renderer->RemoveActor2D(bar_);
-}
-
-void ColorLegend::useTheme() {
-  const Theme& theme = Theme::current();
-  for (vtkTextProperty* text : {bar_->GetTitleTextProperty(), bar_->GetLabelTextProperty()}) {
-    text->SetFontSize(fontSize);
-    text->ItalicOff();
-    text->BoldOff();
-    text->ShadowOff();
-    text->SetColor(theme.text.redF(), theme.text.greenF(), theme.text.blueF());
-  }
 }
 
 }  // namespace mien

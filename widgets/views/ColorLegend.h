@@ -7,12 +7,10 @@
 
 class vtkLookupTable;
 class vtkPolyDataMapper;
-class vtkRenderer;
-class vtkScalarBarActor;
 
 namespace mien {
 
-/// How values become colours in a view, and a bar within it that says so to a reader.
+/// How values become colours in a view. What they mean stands beside it.
 /// @sa ColorKey
 class ColorLegend {
  public:
@@ -32,7 +30,7 @@ class ColorLegend {
   ~ColorLegend();
 
   void setScale(const Scale& scale);
-  void setPatches();  ///< a colour for each of the values 0 .. 8; without a bar
+  void setPatches();  ///< a colour for each of the values 0 .. 8
 
   /// The colour of a share (0 .. 1) of a scale.
   static QColor colorAt(Colors colors, double share);
@@ -41,13 +39,8 @@ class ColorLegend {
   /// @param component  of values with several; -1: their length
   void color(vtkPolyDataMapper* mapper, int component = -1) const;
 
-  void show(vtkRenderer* renderer);
-  void hide(vtkRenderer* renderer);
-  void useTheme();
-
  private:
   vtkNew<vtkLookupTable> colors_;
-  vtkNew<vtkScalarBarActor> bar_;
 };
 
 }  // namespace mien

@@ -1,42 +1,41 @@
 #include "ColorScale.h"
 
-#include <vtkAlgorithm.h>
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-
 #include <QLinearGradient>
 #include <QPainter>
+#include <algorithm>
 
 #include "CurveView.h"
-#include "FaceModel.h"
 #include "Theme.h"
 
 namespace mien {
 
 namespace {
 
-constexpr int side = 12, scaleGap = 8, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
+constexpr int side = 12, scaleGap = 12, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
+constexpr int shortestBar = 40;
 constexpr double point = 8.0;  // pixels, length of the pointed end
 
-QString lengthText(double millimetres) {
+QString mostText(double millimetres) {
   return ColorScale::tr("most %1 mm").arg(millimetres, 0, 'f', 1);
+}
+
+QString numberText(double millimetres) {
+  return QString::number(millimetres, 'g', 3);
 }
 
 }  // namespace
 
-ColorScale::ColorScale(FaceModel* model, QWidget* parent) : QWidget(parent), model_(model) {
+ColorScale::ColorScale(CurveView* view, QWidget* parent) : QWidget(parent), view_(view) {
   setObjectName("curveScale");
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setToolTip(
-      tr("How far the curves have moved from the neutral face; the colours mean the same lengths at all times. "
-         "A pointed end: something has moved further than the last colour"));
-  connect(model_, &FaceModel::updated, this, &ColorScale::follow);
-  follow();
+      tr("How far the curves have moved from the neutral face, in mm, without the turns of the head or with them. A "
+         "pointed end: something has moved further than the last colour"));
+  connect(view_, &CurveView::movementChanged, this, QOverload<>::of(&QWidget::update));
 }
 
 bool ColorScale::isExceeded() const {
-  return most_ > CurveView::fullColorLength;
+  return view_->most() > view_->rangeEnd();
 }
 
 QSize ColorScale::sizeHint() const {
@@ -44,17 +43,20 @@ QSize ColorScale::sizeHint() const {
 }
 
 QSize ColorScale::minimumSizeHint() const {
-  return {120, sizeHint().height()};
+  return {side + titleWidth() + scaleGap + shortestBar, sizeHint().height()};
 }
 
-/// Without FAPs to move it, a face has no displacements.
-void ColorScale::follow() {
-  auto* curves = vtkPolyData::SafeDownCast(model_->pipeline().shownCurves()->GetOutputDataObject(0));
-  vtkDataArray* moved = curves ? curves->GetPointData()->GetArray("Displacement") : nullptr;
-  const double most = moved ? moved->GetMaxNorm() : 0.0;
-  if (most == most_) return;
-  most_ = most;
-  update();
+QString ColorScale::title() const {
+  return view_->isWithHead() ? tr("moved with head") : tr("moved, head still");
+}
+
+/// The same for all texts, so that the bar stays.
+int ColorScale::titleWidth() const {
+  const QFontMetrics metrics = fontMetrics();
+  int width = 0;
+  for (const QString& text : {tr("moved with head"), tr("moved, head still"), mostText(888.8)})
+    width = std::max(width, metrics.horizontalAdvance(text));
+  return width;
 }
 
 void ColorScale::paintBar(QPainter& painter, const QRectF& bar) const {
@@ -77,23 +79,25 @@ void ColorScale::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), theme.viewBottom);
   const QFontMetrics metrics = fontMetrics();
-  const QString title = tr("moved by"), most = lengthText(most_);
-  const int before = side + metrics.horizontalAdvance(title) + scaleGap;
-  const int after = side + metrics.horizontalAdvance(lengthText(888.8)) + scaleGap + static_cast<int>(point);
+  const QString unit = tr(" mm");
+  const double end = view_->rangeEnd();
+  const int before = side + titleWidth() + scaleGap;
+  const int after = std::max<int>(metrics.horizontalAdvance(numberText(end)) / 2 + metrics.horizontalAdvance(unit),
+                                  static_cast<int>(point)) +
+                    side / 2;
   const QRectF bar(before, above, std::max(20, width() - before - after), barHeight);
   paintBar(painter, bar);
-  const double base = above + barHeight / 2.0 + metrics.ascent() / 2.0 - 1.0;
+  const double low = bar.bottom() + tick + metrics.ascent();
   painter.setPen(theme.text);
-  painter.drawText(QPointF(side, base), title);
+  painter.drawText(QPointF(side, low - metrics.height()), title());
   painter.setPen(isExceeded() ? theme.curveMoved : theme.text);
-  painter.drawText(QPointF(width() - side - metrics.horizontalAdvance(most), base), most);
+  painter.drawText(QPointF(side, low), mostText(view_->most()));
   painter.setPen(theme.text);
   for (double share : {0.0, 0.5, 1.0}) {
     const double x = bar.left() + share * bar.width();
-    const QString text = QString::number(share * CurveView::fullColorLength) + (share == 1.0 ? tr(" mm") : QString());
-    const double left = x - metrics.horizontalAdvance(QString::number(share * CurveView::fullColorLength)) / 2.0;
+    const QString number = numberText(share * end);
     painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + tick));
-    painter.drawText(QPointF(left, bar.bottom() + tick + metrics.ascent()), text);
+    painter.drawText(QPointF(x - metrics.horizontalAdvance(number) / 2.0, low), share == 1.0 ? number + unit : number);
   }
 }
 

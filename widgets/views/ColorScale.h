@@ -4,17 +4,16 @@
 
 namespace mien {
 
-class FaceModel;
+class CurveView;
 
-/// The key of the curve view, below it: which colour means which movement, how far the face moves at most now, and a
-/// pointed end where that lies beyond the colours.
+/// The key of the curve view, below it: which colour means which movement, whether the turns of the head count, how far
+/// a curve moves at most now, and a pointed end where that lies beyond the colours.
 class ColorScale : public QWidget {
   Q_OBJECT
  public:
-  explicit ColorScale(FaceModel* model, QWidget* parent = nullptr);
+  explicit ColorScale(CurveView* view, QWidget* parent = nullptr);
 
-  double most() const { return most_; }  ///< mm that a point of a curve has moved
-  bool isExceeded() const;               ///< whether that is more than the colours tell
+  bool isExceeded() const;  ///< whether something has moved further than the colours tell
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -23,11 +22,11 @@ class ColorScale : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void follow();
+  QString title() const;
+  int titleWidth() const;
   void paintBar(QPainter& painter, const QRectF& bar) const;
 
-  FaceModel* model_;
-  double most_ = 0.0;
+  CurveView* view_;
 };
 
 }  // namespace mien

@@ -32,7 +32,7 @@ constexpr float namedWidth = 1.6f;             // pixels
 constexpr double curvesTowardsCamera = -60.0;  // depth units by which curves lie before the skin that they are on
 const QColor lineColor("#14181d");             // on skin and on colours that say something, in both themes
 constexpr int nameFontSize = 9;                // pt
-constexpr double leader = 16.0, nameGap = 3.0, lineHeight = 12.0, margin = 8.0,
+constexpr double leader = 16.0, nameGap = 3.0, nameHeight = 12.0, margin = 8.0,
                  nameWidth = 28.0;  // pixels of the screen, not of the device
 
 bool isRight(int curve) {
@@ -138,7 +138,7 @@ CurveOverlay::Places CurveOverlay::outermost(vtkPolyData* curves) const {
 /// From the lowest up, apart from each other and within the view.
 std::vector<double> CurveOverlay::heights(const std::vector<int>& curves, const Places& places) const {
   const double pixel = view_->devicePixelRatioF(), height = view_->renderer()->GetSize()[1];
-  const double apart = std::min(lineHeight * pixel, (height - 2.0 * margin * pixel) / curves.size());
+  const double apart = std::min(nameHeight * pixel, (height - 2.0 * margin * pixel) / curves.size());
   const double top = height - margin * pixel;
   std::vector<double> wanted;
   for (size_t i = 0; i < curves.size(); ++i)

@@ -3,12 +3,17 @@
 #include <vtkActor.h>
 #include <vtkBoundaryCurveReader.h>
 #include <vtkLookupTable.h>
+#include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
+
+#include "CurveMovement.h"
 #include "FaceModel.h"
 #include "PropertyColor.h"
+#include "RoundedUp.h"
 #include "Theme.h"
 
 namespace mien {
@@ -19,12 +24,14 @@ constexpr float lineWidth = 2.0f, pointSize = 5.0f, neutralWidth = 1.0f;  // pix
 constexpr int colorSteps = 256;
 constexpr double skinBehind = 60.0;  // depth units by which the skin lies behind the curves on it
 
-/// The mapper of the curves, coloured by the length of `Displacement`.
-vtkSmartPointer<vtkPolyDataMapper> curveMapper(vtkAlgorithm* curves, vtkLookupTable* colors) {
+constexpr double leastRange = 2.0;  // mm: a twitch does not look like a grin
+
+/// The mapper of the curves, coloured by `Movement`.
+vtkSmartPointer<vtkPolyDataMapper> curveMapper(vtkPolyData* curves, vtkLookupTable* colors) {
   auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  mapper->SetInputConnection(curves->GetOutputPort());
+  mapper->SetInputData(curves);
   mapper->SetScalarModeToUsePointFieldData();
-  mapper->SelectColorArray("Displacement");
+  mapper->SelectColorArray("Movement");
   mapper->SetColorModeToMapScalars();
   mapper->SetLookupTable(colors);
   mapper->UseLookupTableScalarRangeOn();
@@ -40,18 +47,20 @@ CurveView::CurveView(FaceModel* model, QWidget* parent) : RenderView(model, pare
   addNeutral();
   addCurves();
   dress();
+  const auto begin = [this] { automatic_ = leastRange; };
+  begin();
+  connect(model, &FaceModel::animationChanged, this, begin);
+  connect(model, &FaceModel::updated, this, &CurveView::follow);
+  follow();
 }
 
 CurveView::~CurveView() = default;
 
 void CurveView::addCurves() {
   colors_->SetNumberOfTableValues(colorSteps);
-  colors_->SetTableRange(0.0, fullColorLength);
-  colors_->SetVectorModeToMagnitude();
-  vtkAlgorithm* curves = model().pipeline().shownCurves();
-  lines_->SetMapper(curveMapper(curves, colors_));
+  lines_->SetMapper(curveMapper(curves_, colors_));
   lines_->GetProperty()->SetLineWidth(lineWidth);
-  points_->SetMapper(curveMapper(curves, colors_));
+  points_->SetMapper(curveMapper(curves_, colors_));
   points_->GetProperty()->SetRepresentationToPoints();
   points_->GetProperty()->SetPointSize(pointSize);
   points_->GetProperty()->RenderPointsAsSpheresOn();
@@ -81,6 +90,40 @@ void CurveView::addSkin() {
   skin_->SetMapper(mapper);
   skin_->GetProperty()->LightingOff();
   renderer()->AddActor(skin_);
+}
+
+/// Without FAPs to move it, a face has no displacements.
+void CurveView::follow() {
+  auto* shown = vtkPolyData::SafeDownCast(model().pipeline().shownCurves()->GetOutputDataObject(0));
+  if (!shown) return;
+  curves_->ShallowCopy(shown);
+  const auto movement = curveMovement(shown, !withHead_);
+  if (movement) curves_->GetPointData()->AddArray(movement);
+  most_ = movement && movement->GetNumberOfTuples() > 0 ? movement->GetRange()[1] : 0.0;
+  if (most_ == 0.0 && model().state().fapFile.empty()) automatic_ = leastRange;
+  growRange();
+}
+
+void CurveView::growRange() {
+  automatic_ = std::max(automatic_, roundedUp(std::max(most_, leastRange)));
+  colors_->SetTableRange(0.0, rangeEnd());
+  redraw();
+  emit movementChanged();
+}
+
+double CurveView::rangeEnd() const {
+  return fixed_ > 0.0 ? fixed_ : automatic_;
+}
+
+void CurveView::setWithHead(bool on) {
+  withHead_ = on;
+  automatic_ = leastRange;
+  follow();
+}
+
+void CurveView::setFixedRange(double end) {
+  fixed_ = end;
+  growRange();
 }
 
 void CurveView::dress() {

@@ -11,6 +11,7 @@
 #include "ColorKey.h"
 #include "Comparison.h"
 #include "FaceModel.h"
+#include "FaceOverlay.h"
 #include "FaceView.h"
 #include "RoundedUp.h"
 
@@ -105,10 +106,17 @@ QString FaceColoring::chosen() const {
     case Kind::Difference:
       return array_.title;
     case Kind::OfDock:
-      return {};
+      return dock_;
     default:
       return model_->state().texture.empty() ? skinChoice() : photographChoice();
   }
+}
+
+/// Curvatures and derivatives are made for this alone.
+std::string FaceColoring::arrayName() const {
+  const bool whole = kind_ == Kind::Patches || (kind_ == Kind::Numbers && array_.component < 0 &&
+                                                !array_.isDerivative() && !array_.isCurvature());
+  return whole ? array_.name : std::string();
 }
 
 void FaceColoring::choose(const QString& choice) {
@@ -131,6 +139,7 @@ void FaceColoring::choose(const QString& choice) {
 void FaceColoring::take(Kind kind, const FaceArray& array) {
   kind_ = kind;
   array_ = array;
+  setDock({});
   produce(array);
   begin_ = automatic_ ? 0.0 : begin_;
   end_ = automatic_ ? 0.0 : end_;
@@ -188,9 +197,19 @@ void FaceColoring::follow() {
 void FaceColoring::followOverlay(const QObject* overlay) {
   if (overlay == this) return;
   const bool shown = isNumbers() || kind_ == Kind::Patches;
+  const auto* dock = qobject_cast<const FaceOverlay*>(overlay);
   kind_ = overlay ? Kind::OfDock : Kind::Skin;
   if (shown) clearColors();
+  ColorKey* key = sides_.front()->key;
+  dock && dock->scale() ? key->showScale(*dock->scale()) : key->clear();
+  setDock(dock ? dock->words() : QString());
   emit changed();
+}
+
+void FaceColoring::setDock(const QString& words) {
+  if (words == dock_) return;
+  dock_ = words;
+  emit choicesChanged();
 }
 
 void FaceColoring::clearColors() {

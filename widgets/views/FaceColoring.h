@@ -23,7 +23,7 @@ class FaceView;
 ///
 /// Numbers keep the meaning of their colours: an automatic range grows when 4 % of the surface would lie beyond it, and
 /// never shrinks while the same array is chosen; a fixed one stays. When a dock shows numbers of its own on the face,
-/// this hides itself and nothing is chosen.
+/// this gives way and tells what they are and their scale, until something is chosen here.
 class FaceColoring : public QObject {
   Q_OBJECT
  public:
@@ -32,11 +32,16 @@ class FaceColoring : public QObject {
 
   QStringList choices() const;  ///< in words: "Skin", "Photograph", "Patches", then arrays with their unit
   void choose(const QString& choice);
-  QString chosen() const;  ///< empty while a dock shows numbers
+  QString chosen() const;
+  QString ofDock() const { return dock_; }  ///< what a dock shows on the face, chosen while it does; empty: none does
 
   void setOther(FaceView* view);  ///< in which B is shown
 
   ColorKey* key() const { return sides_.back()->key; }  ///< of the last view, to be put below it
+
+  /// Of the surface as the pipeline makes it, that it is coloured by; empty for its skin, a part of an array, and what
+  /// comes from elsewhere.
+  std::string arrayName() const;
 
   bool isNumbers() const { return kind_ == Kind::Numbers || kind_ == Kind::Difference; }
   void setAutomatic(bool automatic);
@@ -67,6 +72,7 @@ class FaceColoring : public QObject {
   void produce(const FaceArray& array);
   void follow();
   void followOverlay(const QObject* overlay);
+  void setDock(const QString& words);
   void followComparison();
   void growRange();
   void paint();
@@ -80,6 +86,7 @@ class FaceColoring : public QObject {
   std::vector<FaceArray> arrays_;
   Kind kind_ = Kind::Skin;
   FaceArray array_;
+  QString dock_;
   std::string photograph_, photographMesh_;  ///< the last one
   bool automatic_ = true, compares_ = false;
   double begin_ = 0.0, end_ = 1.0;

@@ -27,7 +27,8 @@ void setMatt(vtkActor* actor) {
 
 }  // namespace
 
-FaceOverlay::FaceOverlay(FaceView* view, QObject* parent) : QObject(parent), view_(view) {
+FaceOverlay::FaceOverlay(FaceView* view, const QString& dock, QObject* parent)
+    : QObject(parent), view_(view), dock_(dock) {
   surface_->SetMapper(surfaceMapper_);
   zebra_->SetMapper(zebraMapper_);
   lines_->SetMapper(lineMapper_);
@@ -71,7 +72,7 @@ void FaceOverlay::color(vtkPolyDataMapper* mapper, const char* array, const Scal
 void FaceOverlay::showSurface(vtkPolyData* surface, const char* array, const Scale& scale) {
   color(surfaceMapper_, array, scale);
   surfaceMapper_->SetInputData(surface);
-  show(surface_, false, true);
+  show(surface_, false, scale);
 }
 
 void FaceOverlay::showColors(vtkPolyData* surface, const char* array) {
@@ -80,27 +81,31 @@ void FaceOverlay::showColors(vtkPolyData* surface, const char* array) {
   surfaceMapper_->SetColorModeToDirectScalars();
   surfaceMapper_->InterpolateScalarsBeforeMappingOff();
   surfaceMapper_->SetInputData(surface);
-  show(surface_, false, false);
+  show(surface_, false, {});
 }
 
 void FaceOverlay::showZebra(vtkPolyData* surface) {
   zebraMapper_->SetInputData(surface);
-  show(zebra_, false, false);
+  show(zebra_, false, {});
 }
 
 void FaceOverlay::showLines(vtkPolyData* lines, const char* array, const Scale& scale) {
   color(lineMapper_, array, scale);
   lineMapper_->SetInputData(lines);
-  show(lines_, true, true);
+  show(lines_, true, scale);
 }
 
-void FaceOverlay::show(vtkActor* actor, bool withSkin, bool withScale) {
+QString FaceOverlay::words() const {
+  return tr("%1 (%2 dock)").arg(subject_, dock_);
+}
+
+void FaceOverlay::show(vtkActor* actor, bool withSkin, const std::optional<Scale>& scale) {
   const bool changes = !shown_;
   shown_ = true;
+  scale_ = scale;
   view_->showOverlay(this, withSkin);
   for (vtkActor* other : {surface_.Get(), zebra_.Get(), lines_.Get()})
     other == actor ? view_->renderer()->AddActor(other) : view_->renderer()->RemoveActor(other);
-  withScale ? legend_.show(view_->renderer()) : legend_.hide(view_->renderer());
   view_->redraw();
   if (changes) emit shownChanged(true);
 }
@@ -113,7 +118,6 @@ void FaceOverlay::remove() {
   if (!shown_) return;
   shown_ = false;
   for (vtkActor* actor : {surface_.Get(), zebra_.Get(), lines_.Get()}) view_->renderer()->RemoveActor(actor);
-  legend_.hide(view_->renderer());
   view_->redraw();
   emit shownChanged(false);
 }
@@ -126,7 +130,6 @@ bool FaceOverlay::eventFilter(QObject* watched, QEvent* event) {
 void FaceOverlay::useTheme() {
   const Theme& theme = Theme::current();
   zebra_->GetProperty()->SetColor(theme.skin.redF(), theme.skin.greenF(), theme.skin.blueF());
-  legend_.useTheme();
 }
 
 }  // namespace mien

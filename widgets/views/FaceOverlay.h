@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QString>
+#include <optional>
 
 #include "ColorLegend.h"
 
@@ -15,16 +16,21 @@ namespace mien {
 
 class FaceView;
 
-/// Numbers on the face in place of its plain skin, with their scale. The face shows one overlay at a time: when another
-/// is shown, or the skin again, this one hides itself.
+/// Numbers that a dock shows on the face in place of its plain skin. The face shows one overlay at a time: when another
+/// is shown, or the skin again, this one hides itself. What it shows and its scale stand beside the face.
+/// @sa FaceColoring
 class FaceOverlay : public QObject {
   Q_OBJECT
  public:
   using Colors = ColorLegend::Colors;
   using Scale = ColorLegend::Scale;
 
-  FaceOverlay(FaceView* view, QObject* parent);
+  /// @param dock  the title of the dock
+  FaceOverlay(FaceView* view, const QString& dock, QObject* parent);
   ~FaceOverlay() override;
+
+  /// What is shown next, in words without unit: "Mean curvature".
+  void setSubject(const QString& subject) { subject_ = subject; }
 
   void showSurface(vtkPolyData* surface, const char* array, const Scale& scale);  ///< coloured by a point array
   void showColors(vtkPolyData* surface,
@@ -33,6 +39,9 @@ class FaceOverlay : public QObject {
   void showLines(vtkPolyData* lines, const char* array,
                  const Scale& scale);  ///< on the skin, coloured by a point array
   void hide();
+
+  QString words() const;                                        ///< "Regions (Deformation dock)"
+  const std::optional<Scale>& scale() const { return scale_; }  ///< of what is shown; nothing: it has none
 
   bool isShown() const { return shown_; }
 
@@ -44,12 +53,14 @@ class FaceOverlay : public QObject {
 
  private:
   void useTheme();
-  void show(vtkActor* actor, bool withSkin, bool withScale);
+  void show(vtkActor* actor, bool withSkin, const std::optional<Scale>& scale);
   void color(vtkPolyDataMapper* mapper, const char* array, const Scale& scale);
   void addZebraShader();
   void remove();
 
   FaceView* view_;
+  QString dock_, subject_;
+  std::optional<Scale> scale_;
   ColorLegend legend_;
   vtkNew<vtkPolyDataMapper> surfaceMapper_, zebraMapper_, lineMapper_;
   vtkNew<vtkActor> surface_, zebra_, lines_;

@@ -9,6 +9,7 @@
 
 #include "OwnKeys.h"
 #include "ScreenFigure.h"
+#include "TextLines.h"
 #include "Theme.h"
 
 namespace mien {
@@ -17,7 +18,8 @@ namespace {
 
 constexpr double unitsPerPixel = figureUnitsPerPixel;
 constexpr double handle = 5.0;  // pixels
-constexpr int veil = 170;       // of 255, over what does not count
+constexpr double markerPoints = 7.0;
+constexpr int veil = 170;  // of 255, over what does not count
 constexpr double wheelNotch = 120.0, notchZoom = 1.25;
 constexpr int pageSteps = 5, allSteps = 1000;
 
@@ -52,6 +54,11 @@ void FigureView::setHint(const QString& hint) {
 
 void FigureView::setMarked(std::optional<double> x) {
   marked_ = x;
+  update();
+}
+
+void FigureView::setMarkerName(const QString& name) {
+  markerName_ = name;
   update();
 }
 
@@ -130,6 +137,19 @@ void FigureView::paintMarker(QPainter& painter, const ChartPainter& panel) const
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
   painter.setBrush(color);
   painter.drawEllipse(QPointF(x, plot.top()), handle * unitsPerPixel, handle * unitsPerPixel);
+  paintMarkerName(painter, plot, x);
+}
+
+/// On the side of the line that has more room, on a ground of its own: lines run below it.
+void FigureView::paintMarkerName(QPainter& painter, const QRectF& plot, double x) const {
+  if (markerName_.isEmpty()) return;
+  const QFont font = figureFont(markerPoints);
+  const double gap = 2.0 * handle * unitsPerPixel, width = textWidth(font, markerName_), height = lineHeight(font);
+  const bool right = x < plot.center().x();
+  const QRectF place(right ? x + gap : x - gap - width, plot.top() - 0.2 * height, width, height);
+  painter.fillRect(place, Theme::current().panel);
+  painter.setFont(font);
+  painter.drawText(place.bottomLeft() - QPointF(0.0, 0.2 * height), markerName_);
 }
 
 void FigureView::resizeEvent(QResizeEvent*) {

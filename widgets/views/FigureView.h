@@ -30,6 +30,7 @@ class FigureView : public QWidget {
   /// Where the marker stands, in the panels' x; nothing: no marker.
   void setMarked(std::optional<double> x);
   std::optional<double> marked() const { return marked_; }
+  void setMarkerName(const QString& name);  ///< beside a line, in words; empty: none
 
   /// The part of the panels' x that counts: all else is veiled; nothing: all counts.
   void setBand(std::optional<std::pair<double, double>> band);
@@ -63,10 +64,11 @@ class FigureView : public QWidget {
   void paintFigure(QPainter& painter);
   void paintBand(QPainter& painter, const ChartPainter& panel) const;
   void paintMarker(QPainter& painter, const ChartPainter& panel) const;
+  void paintMarkerName(QPainter& painter, const QRectF& plot, double x) const;
 
   Figure figure_;
   Marker marker_;
-  QString hint_;
+  QString hint_, markerName_;
   std::unique_ptr<FigurePainter> painter_;
   QPixmap picture_;  ///< of the figure, which is slow to draw: a marker that moves is not
   std::optional<double> marked_, bandStart_;

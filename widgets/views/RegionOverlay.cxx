@@ -122,7 +122,11 @@ struct RegionPoints {
 }  // namespace
 
 RegionOverlay::RegionOverlay(FaceModel* model, FaceView* view, QObject* parent)
-    : QObject(parent), model_(model), view_(view), renderer_(view->renderer()), overlay_(new FaceOverlay(view, this)) {
+    : QObject(parent),
+      model_(model),
+      view_(view),
+      renderer_(view->renderer()),
+      overlay_(new FaceOverlay(view, tr("Deformation"), this)) {
   fine_->SetResolution(fineRows, fineColumns);
   regions_->SetInputConnection(fine_->GetOutputPort());
   deformation_->SetInputConnection(regions_->GetOutputPort());
@@ -141,6 +145,7 @@ RegionOverlay::RegionOverlay(FaceModel* model, FaceView* view, QObject* parent)
   }
   started_ = view_->renderer()->AddObserver(vtkCommand::StartEvent, this, &RegionOverlay::turnNumbers);
   view_->installEventFilter(this);
+  overlay_->setSubject(tr("Regions"));
   connect(overlay_, &FaceOverlay::shownChanged, this, [this](bool shown) {
     if (!shown) removeNumbers();
     emit shownChanged(shown);

@@ -45,6 +45,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   void link(RenderView* other);
   void unlink();  ///< from all
   bool isLinked() const { return !partners_.empty(); }
+  bool isMoved() const { return moved_; }  ///< whether the user has placed the camera
   vtkCamera* camera() const;
 
   /// `side`, and where the user has placed the camera `position`, `focus` and `up` (mm).

@@ -2,11 +2,10 @@
 
 #include <QAbstractSpinBox>
 #include <QApplication>
-#include <QClipboard>
 #include <QKeyEvent>
 #include <QLineEdit>
 
-#include "FaceCommand.h"
+#include "CommandCopy.h"
 #include "History.h"
 
 namespace mien {
@@ -22,7 +21,7 @@ bool keepsUndo(const QObject* watched, bool isUndo) {
 
 }  // namespace
 
-EditMenu::EditMenu(History* history, const FaceModel* model, const FaceView* view, QWidget* window)
+EditMenu::EditMenu(History* history, FaceModel* model, const ViewArea* views, QWidget* window)
     : QMenu(tr("&Edit"), window),
       history_(history),
       undo_(addAction(tr("&Undo"), history, &History::undo)),
@@ -33,8 +32,8 @@ EditMenu::EditMenu(History* history, const FaceModel* model, const FaceView* vie
   redo_->setObjectName("actionRedo");
   redo_->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
   addSeparator();
-  addAction(tr("Copy as mien &command"), this, [model, view] {
-    QGuiApplication::clipboard()->setText(renderCommand(*model, *view));
+  addAction(tr("Copy as mien &command"), this, [model, views] {
+    copyCommand(model, *views);
   })->setObjectName("actionCopyCommand");
   connect(history, &History::changed, this, &EditMenu::follow);
   qApp->installEventFilter(this);

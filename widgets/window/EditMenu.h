@@ -5,14 +5,14 @@
 namespace mien {
 
 class FaceModel;
-class FaceView;
 class History;
+class ViewArea;
 
 /// Undo and redo, by the name of what they take back, and what can be copied.
 class EditMenu : public QMenu {
   Q_OBJECT
  public:
-  EditMenu(History* history, const FaceModel* model, const FaceView* view, QWidget* window);
+  EditMenu(History* history, FaceModel* model, const ViewArea* views, QWidget* window);
 
  protected:
   /// Numbers have no history of their own: what was typed is undone as what it has changed.

@@ -27,9 +27,16 @@ namespace mien {
 
 namespace {
 
-constexpr int startHeight = 290;      // pixels: nine rows of a table, and half of a window of 800 left for the face
-constexpr int pictureHeight = 380;    // pixels of a dock that shows a face itself
-constexpr double pictureShare = 0.4;  // of a higher window
+/// How high a dock is when it is opened.
+struct Height {
+  int least;     ///< pixels
+  double share;  ///< of a higher window
+
+  int in(const QMainWindow& window) const { return std::max(least, static_cast<int>(share * window.height())); }
+};
+
+constexpr Height tableHeight = {290, 0.35};    // nine rows of a table and half of a window of 800 left for the face
+constexpr Height pictureHeight = {380, 0.40};  // of a dock that shows a face itself
 
 }  // namespace
 
@@ -38,23 +45,24 @@ LaboratoryDocks::LaboratoryDocks(FaceModel* model, AnimationPlayer* player, Face
     : QObject(window), view_(view), window_(window) {
   window->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   plot_ = add("plotDock", tr("FAPs over time"), new FAPPlotPanel(model, player));
+  giveHeight(plot_, false);
   auto* vectorPanel = new VectorPanel(model, view);
-  giveHeight(add("vectorsDock", tr("Motion vectors"), vectorPanel));
+  giveHeight(add("vectorsDock", tr("Motion vectors"), vectorPanel), true);
   connect(player, &AnimationPlayer::playingChanged, vectorPanel, [vectorPanel](bool playing) {
     if (playing) vectorPanel->fit();
   });
-  add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view));
-  add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model));
-  add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view));
-  add("deformationDock", tr("Deformation"), new DeformationPanel(model, view));
-  add("curvesDock", tr("Curves"), new CurvePanel(model, view, curves));
-  giveHeight(add("textureDock", tr("Texture"), new TexturePanel(model, view)));
+  giveHeight(add("spectrumDock", tr("Spectrum"), new SpectrumPanel(model, view)), false);
+  giveHeight(add("smoothingDock", tr("Smoothing"), new SmoothingPanel(model)), false);
+  giveHeight(add("continuityDock", tr("Continuity"), new ContinuityPanel(model, view)), false);
+  giveHeight(add("deformationDock", tr("Deformation"), new DeformationPanel(model, view)), false);
+  giveHeight(add("curvesDock", tr("Curves and scan"), new CurvePanel(model, view, curves)), false);
+  giveHeight(add("textureDock", tr("Texture"), new TexturePanel(model, view)), true);
 }
 
 /// A dock that shows a picture itself is higher than a table when it is opened.
-void LaboratoryDocks::giveHeight(QDockWidget* dock) {
-  connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
-    const int height = std::max(pictureHeight, static_cast<int>(pictureShare * window_->height()));
+void LaboratoryDocks::giveHeight(QDockWidget* dock, bool hasPicture) {
+  connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock, hasPicture](bool shown) {
+    const int height = (hasPicture ? pictureHeight : tableHeight).in(*window_);
     if (shown && dock->height() < height) window_->resizeDocks({dock}, {height}, Qt::Vertical);
   });
 }
@@ -68,7 +76,7 @@ QDockWidget* LaboratoryDocks::add(const QString& name, const QString& title, QWi
   window_->addDockWidget(Qt::BottomDockWidgetArea, dock);
   if (last_) window_->tabifyDockWidget(last_, dock);
   last_ = dock;
-  window_->resizeDocks({dock}, {startHeight}, Qt::Vertical);
+  window_->resizeDocks({dock}, {tableHeight.least}, Qt::Vertical);
   dock->toggleViewAction()->setObjectName(name + "Action");
   connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool shown) {
     if (shown) dock->raise();

@@ -31,7 +31,7 @@ class LaboratoryDocks : public QObject {
 
  private:
   QDockWidget* add(const QString& name, const QString& title, QWidget* panel);
-  void giveHeight(QDockWidget* dock);
+  void giveHeight(QDockWidget* dock, bool hasPicture);
 
   FaceView* view_;
   QMainWindow* window_;

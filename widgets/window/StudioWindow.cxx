@@ -152,7 +152,7 @@ void StudioWindow::addDocks() {
 
 void StudioWindow::addMenus() {
   menuBar()->addMenu(new FileMenu(this, keeper_->document(), keeper_->recent()));
-  menuBar()->addMenu(new EditMenu(keeper_->history(), model_, face_, this));
+  menuBar()->addMenu(new EditMenu(keeper_->history(), model_, views_, this));
   addFaceMenu();
   menuBar()->addMenu(new ViewMenu(this, views_, workspaces_, messages_));
   menuBar()->addMenu(new HelpMenu(this));

@@ -14,6 +14,7 @@
 #include "ColoringBar.h"
 #include "Comparison.h"
 #include "ComparisonBar.h"
+#include "CurveKeyBar.h"
 #include "CurveOverlay.h"
 #include "CurveView.h"
 #include "DifferenceArrows.h"
@@ -21,6 +22,7 @@
 #include "Exporter.h"
 #include "FaceColoring.h"
 #include "FaceModel.h"
+#include "FaceStateText.h"
 #include "PointNumbers.h"
 #include "ViewExport.h"
 #include "ViewFrame.h"
@@ -37,6 +39,11 @@ constexpr int summaryMargin = 12;      // pixels
 constexpr double longestArrow = 20.0;  // mm to a nearest point: beyond, the other has no counterpart, as a neck
 constexpr double arrowFactors[] = {0.0, 1.0, 2.0, 5.0, 10.0};
 
+std::string motionOf(const FaceModel& model) {
+  const std::string motion = model.motionText();
+  return motion.empty() ? "neutral" : motion;
+}
+
 }  // namespace
 
 ViewArea::ViewArea(FaceModel* model, FaceView* face, CurveView* curves, QWidget* parent)
@@ -47,7 +54,7 @@ ViewArea::ViewArea(FaceModel* model, FaceView* face, CurveView* curves, QWidget*
       comparison_(new Comparison(model, this)),
       coloring_(new FaceColoring(model, face, comparison_, this)),
       faceFrame_(new ViewFrame(tr("Face"), face, this)),
-      curveFrame_(new ViewFrame(tr("Curves"), curves_, this)),
+      curveFrame_(new ViewFrame(tr("Curve view"), curves_, this)),
       mesh_(new QComboBox(faceFrame_)),
       splitter_(new QSplitter(Qt::Horizontal, this)) {
   setObjectName("viewArea");
@@ -125,8 +132,9 @@ void ViewArea::addSideButtons() {
 }
 
 void ViewArea::addCurveFrame() {
-  curveKey_ = new ColorScale(model_, this);
-  curveFrame_->addBelow(curveKey_);
+  auto* key = new CurveKeyBar(curves_, this);
+  curveKey_ = key->scale();
+  curveFrame_->addBelow(key);
   const auto add = [&](const QString& name, const QString& text, const QString& tip) {
     return curveFrame_->addToggle(name, text, tip, true);
   };
@@ -224,21 +232,34 @@ void ViewArea::showDifference() {
 }
 
 void ViewArea::addExporters() {
-  const auto title = [this](const char* what) {
-    const std::string motion = model_->motionText();
-    return what + (motion.empty() ? std::string("neutral") : motion);
-  };
   faceExporter_ = new Exporter(
-      model_, [=](const ExportOptions& options) { return viewDrawing(face_, faceKey_, title("Face, "), options); },
-      [this] { return pointNumbers(vtkPolyData::SafeDownCast(model_->pipeline().surface()->GetOutputDataObject(0))); },
+      model_, [this](const ExportOptions& options) { return faceDrawing(options); }, [this] { return faceNumbers(); },
       this);
   curveExporter_ = new Exporter(
       model_,
-      [=](const ExportOptions& options) {
-        return viewDrawing(curves_, curveKey_, title("Boundary curves, "), options);
+      [this](const ExportOptions& options) {
+        return viewDrawing({{curves_}}, curveKey_, "Boundary curves, " + motionOf(*model_), {}, options);
       },
       [this] { return pointNumbers(vtkPolyData::SafeDownCast(model_->pipeline().curves()->GetOutputDataObject(0))); },
       this);
+}
+
+/// A comparison is one figure: A and B beside each other over the scale that they share.
+ExportDrawing ViewArea::faceDrawing(const ExportOptions& options) const {
+  if (comparison_->kind() == Comparison::Kind::None)
+    return viewDrawing({{face_}}, faceKey_, "Face, " + motionOf(*model_), {}, options);
+  const std::string a = "A: " + comparison_->nameOfA().toStdString(), b = "B: " + comparison_->name().toStdString();
+  QString note = comparison_->summary(Comparison::Side::A);
+  if (!note.isEmpty() && !comparison_->corresponds()) note += "; " + comparison_->summary(Comparison::Side::B);
+  ExportDrawing drawing = viewDrawing({{face_, a}, {other_, b}}, faceKey_, a + ", " + b, note.toStdString(), options);
+  if (!comparison_->mesh()) drawing.description = "\nB:\n" + writeFaceState(comparison_->other()->state());
+  return drawing;
+}
+
+std::string ViewArea::faceNumbers() const {
+  vtkPolyData* compared = comparison_->surface(Comparison::Side::A);
+  return pointNumbers(compared ? compared
+                               : vtkPolyData::SafeDownCast(model_->pipeline().surface()->GetOutputDataObject(0)));
 }
 
 void ViewArea::arrange() {

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "ExportDrawing.h"
 #include "FaceView.h"
 
 class QComboBox;
@@ -30,6 +31,10 @@ class ViewArea : public QWidget {
 
   ViewFrame* faceFrame() const { return faceFrame_; }
   Comparison* comparison() const { return comparison_; }
+  FaceColoring* coloring() const { return coloring_; }
+  FaceView* face() const { return face_; }
+  bool showsCurves() const { return curvesOn_; }  ///< on the face
+  bool showsNames() const { return namesOn_; }    ///< of the curves
 
   Exporter* faceExporter() const { return faceExporter_; }
   Exporter* curveExporter() const { return curveExporter_; }
@@ -56,6 +61,8 @@ class ViewArea : public QWidget {
   void linkCameras(bool linked);
   void showWhole();
   void addExporters();
+  ExportDrawing faceDrawing(const ExportOptions& options) const;
+  std::string faceNumbers() const;
 
   FaceModel* model_;
   FaceView* face_;

@@ -43,7 +43,7 @@ void ViewMenu::addExports(QWidget* window) {
     addAction(text, this, [exporter, window] { ExportDialog::ask(exporter, window); })->setObjectName(name);
   };
   add(tr("&Export the face..."), "actionExportFace", views_->faceExporter());
-  add(tr("Export the &curves..."), "actionExportCurves", views_->curveExporter());
+  add(tr("Export the &curve view..."), "actionExportCurves", views_->curveExporter());
 }
 
 void ViewMenu::addColours() {

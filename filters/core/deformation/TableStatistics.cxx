@@ -8,6 +8,7 @@ namespace mien {
 namespace {
 
 using Coefficients = QuadraticMap::Coefficients;
+constexpr double leastOutside = 5e-3;  // of the largest coefficient of a map, to count
 
 }  // namespace
 
@@ -42,13 +43,21 @@ bool isCompared(const DeformationTable& fit, const DeformationTable& mean, int r
   return fit.knows(region) && mean.hasRange(region);
 }
 
+int sideOfRange(const DeformationTable& fit, const DeformationTable& mean, int region, int coefficient) {
+  const int row = coefficient / 6, column = coefficient % 6;
+  const QuadraticMap::Coefficients &fitted = fit.maps[region - 1].coefficients,
+                                   &expected = mean.maps[region - 1].coefficients;
+  const double difference = fitted(row, column) - expected(row, column);
+  const double least = leastOutside * expected.cwiseAbs().maxCoeff();
+  if (std::abs(difference) <= std::max(least, mean.deviations->at(region - 1)(row, column))) return 0;
+  return difference < 0.0 ? -1 : 1;
+}
+
 std::vector<int> outsideRange(const DeformationTable& fit, const DeformationTable& mean) {
   std::vector<int> outside;
   for (int i = 0; i < 12 * DeformationTable::regionCount; ++i) {
-    const int region = i / 12, row = i % 12 / 6, column = i % 6;
-    if (!isCompared(fit, mean, region + 1)) continue;
-    const double difference = fit.maps[region].coefficients(row, column) - mean.maps[region].coefficients(row, column);
-    if (std::abs(difference) > mean.deviations->at(region)(row, column)) outside.push_back(i);
+    const int region = i / 12 + 1;
+    if (isCompared(fit, mean, region) && sideOfRange(fit, mean, region, i % 12) != 0) outside.push_back(i);
   }
   return outside;
 }

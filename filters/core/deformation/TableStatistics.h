@@ -12,8 +12,15 @@ namespace mien {
 /// table.
 DeformationTable meanTable(const std::vector<DeformationTable>& tables);
 
-/// Coefficients of `fit` outside mean +- sd, as positions 12 (region - 1) + (0 .. 11 for a1 .. b6), in the regions
-/// that are compared.
+/// How a coefficient (0 .. 11 for a1 .. b6) of a region (1 .. 16) lies to mean +- sd: -1 below, 1 above, 0 within, the
+/// ends included. Within is also what differs from the mean by less than 0.005 of the largest coefficient of the mean's
+/// map, which is about 1: that moves a point by less than 0.2 mm, and the deviations of regions that rest are smaller
+/// still.
+/// @param mean  with deviations
+int sideOfRange(const DeformationTable& fit, const DeformationTable& mean, int region, int coefficient);
+
+/// Coefficients of `fit` outside mean +- sd (sideOfRange()), as positions 12 (region - 1) + (0 .. 11 for a1 .. b6), in
+/// the regions that are compared.
 std::vector<int> outsideRange(const DeformationTable& fit, const DeformationTable& mean);
 
 /// Whether a region (1 .. 16) is known to the fit and has a range in the mean.

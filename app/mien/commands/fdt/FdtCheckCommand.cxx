@@ -56,7 +56,7 @@ void run(const FdtCheckCommandOptions& options) {
                  {"coefficients", coefficientCount},
                  {"list", report.rows}};
   report.remarks = {std::to_string(outside.size()) + " of " + std::to_string(coefficientCount) +
-                    " coefficients lie outside mean +- sd; of a subject like those of the mean about " +
+                    " coefficients lie outside mean +- sd; of a subject like those of the mean at most about " +
                     std::to_string(static_cast<int>(std::round(0.3173 * coefficientCount))) + " do"};
   options.output.writeRows(report.rows);
   options.output.print(report);
@@ -73,7 +73,8 @@ void addFdtCheckCommand(CLI::App& parent) {
   options->reading.addTo(*command, true);
   command->footer(
       "Example: mien fdt check anna_joy.csv --against joy\n"
-      "sds is how many standard deviations the value lies beside the mean. The exit code is 0 whatever is found.");
+      "sds is how many standard deviations the value lies beside the mean; differences of less than 0.005 of the "
+      "largest coefficient of a region do not count. The exit code is 0 whatever is found.");
   command->callback([options] { run(*options); });
 }
 

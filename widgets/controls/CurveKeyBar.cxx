@@ -1,0 +1,50 @@
+#include "CurveKeyBar.h"
+
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+
+#include "ColorScale.h"
+#include "CurveView.h"
+#include "RangeBox.h"
+#include "Theme.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double longestRange = 200.0;  // mm
+
+}  // namespace
+
+CurveKeyBar::CurveKeyBar(CurveView* view, QWidget* parent) : QFrame(parent), scale_(new ColorScale(view, this)) {
+  auto* range = new RangeBox("curveRange", longestRange, this);
+  range->setAccessibleName(tr("Movement of the last colour"));
+  range->setToolTip(
+      tr("The movement in mm that has the last colour. 0, automatic: a round number that grows with the movement and "
+         "begins anew with a face at rest or another animation"));
+  auto* head = new QToolButton(this);
+  head->setObjectName("curveHead");
+  head->setText(tr("Head"));
+  head->setCheckable(true);
+  head->setFocusPolicy(Qt::TabFocus);
+  head->setToolTip(tr("Whether the turns of the head (FAP 48 to 50) count as movement of the curves"));
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 6, 2);
+  row->setSpacing(4);
+  row->addWidget(scale_, 1);
+  row->addWidget(range);
+  row->addWidget(head);
+  const auto follow = [view, range] { range->showAutomatic(view->automaticEnd()); };
+  connect(range, QOverload<double>::of(&QDoubleSpinBox::valueChanged), view, &CurveView::setFixedRange);
+  connect(head, &QToolButton::toggled, view, &CurveView::setWithHead);
+  connect(view, &CurveView::movementChanged, this, follow);
+  follow();
+}
+
+/// As the scale has it.
+void CurveKeyBar::paintEvent(QPaintEvent*) {
+  QPainter(this).fillRect(rect(), Theme::current().viewBottom);
+}
+
+}  // namespace mien
