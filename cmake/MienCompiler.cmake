@@ -14,10 +14,8 @@ endif()
 
 find_program(MIEN_CCACHE ccache)
 if(MIEN_CCACHE)
-  # Without this ccache does not keep what is compiled with precompiled headers.
-  set(launcher "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${MIEN_CCACHE}")
-  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_C_COMPILER_LAUNCHER "${MIEN_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${MIEN_CCACHE}")
 endif()
 include(CheckLinkerFlag)
 check_linker_flag(CXX -fuse-ld=mold MIEN_HAVE_MOLD)

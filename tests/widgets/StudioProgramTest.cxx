@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int longWait = 60000, attempt = 10000;  // ms, of a busy machine
+constexpr int programWait = 60000, attempt = 10000;  // ms, of a busy machine
 constexpr int attempts = 6;
 
 /// Where a widget is in a window as it first starts.
@@ -67,7 +67,7 @@ class StudioProgram : public testing::Test {
     auto process = begin(arguments);
     EXPECT_TRUE(process->waitForStarted());
     Running running(std::move(process));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return running.window->isVisible(); }, longWait));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return running.window->isVisible(); }, programWait));
     return running;
   }
 
@@ -122,7 +122,7 @@ TEST_F(StudioProgram, OpensItsWindowWithADamagedSession) {
   EXPECT_TRUE(studio.window->isVisible());
   EXPECT_FALSE(studio.process->waitForFinished(1000));
   const auto picture = begin({"--picture", data.filePath("window.png"), damaged});
-  ASSERT_TRUE(picture->waitForFinished(longWait));
+  ASSERT_TRUE(picture->waitForFinished(programWait));
   EXPECT_EQ(picture->exitCode(), 1);
   EXPECT_EQ(picture->readAllStandardError().toStdString(),
             "mien-studio: damaged.mien-session.json cannot be opened: line 3 is damaged: no JSON from there on\n");

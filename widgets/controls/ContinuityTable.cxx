@@ -17,7 +17,7 @@ constexpr double rounding = 1e-7;  // what is smaller is the rounding of the jet
 constexpr double smallest = 1e-3;
 constexpr int lineOfTable = 20;  // pixels
 
-QString numberText(double value) {
+QString seamNumberText(double value) {
   if (!std::isfinite(value)) return QStringLiteral("\u2013");
   if (std::abs(value) < rounding) return QStringLiteral("0");
   if (std::abs(value) < smallest) return QString::number(value, 'g', 1).replace("e-0", "e-");  // has to fit its column
@@ -73,7 +73,7 @@ void ContinuityTable::setSummary(int row, vtkTable* summary, int sourceRow, bool
   for (size_t i = 0; i < columns.size(); ++i) {
     const std::string name = (frontal ? "frontal_" : "") + std::string(columns[i].name);
     item(row, static_cast<int>(i) + 1)
-        ->setText(numberText(summary->GetValueByName(sourceRow, name.c_str()).ToDouble()));
+        ->setText(seamNumberText(summary->GetValueByName(sourceRow, name.c_str()).ToDouble()));
   }
 }
 

@@ -27,7 +27,7 @@ namespace mien {
 namespace {
 
 constexpr int previewWidth = 440, previewHeight = 340, checker = 8, delay = 120;  // pixels, pixels, ms
-constexpr double leastWidth = 40.0, mostWidth = 500.0;                            // mm
+constexpr double leastPrintedWidth = 40.0, mostWidth = 500.0;                     // mm
 constexpr const char *formatKey = "export/format", *themeKey = "export/theme", *dotsKey = "export/dotsPerInch",
                      *transparentKey = "export/transparent";
 
@@ -111,7 +111,7 @@ void ExportDialog::buildControls() {
   theme_->setCurrentText(Remembered::value(themeKey, "light").toString());
   theme_->setToolTip(tr("Colours for a light page, a dark one, or for print"));
   width_->setObjectName("exportWidth");
-  width_->setRange(leastWidth, mostWidth);
+  width_->setRange(leastPrintedWidth, mostWidth);
   width_->setSuffix(tr(" mm"));
   width_->setDecimals(0);
   width_->setToolTip(tr("Width of the figure in mm; text keeps its size. 85 mm is a column, 170 mm a page of A4"));

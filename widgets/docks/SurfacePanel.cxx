@@ -16,7 +16,7 @@ namespace mien {
 
 namespace {
 
-constexpr double smallestSmoothing = 0.001;
+constexpr double leastSmoothing = 0.001;
 constexpr int mostRows = 2000, mostColumns = 2000;  // what a picture can use; the state allows more
 
 }  // namespace
@@ -59,7 +59,7 @@ void SurfacePanel::addSmoothing(QFormLayout* form) {
   smoothing_->setObjectName("surfaceSmoothing");
   smoothing_->setToolTip(tr("The smoothing parameter <i>a</i> of the PDE, for all patches (no unit; 1 in the paper)"));
   smoothing_->setDecimals(3);
-  smoothing_->setRange(smallestSmoothing, FaceSurfaceOptions::largestSmoothing);
+  smoothing_->setRange(leastSmoothing, FaceSurfaceOptions::largestSmoothing);
   smoothing_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   smoothing_->setKeyboardTracking(false);
   connect(smoothing_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,

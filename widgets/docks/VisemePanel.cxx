@@ -11,7 +11,7 @@ namespace mien {
 
 namespace {
 
-constexpr double percentOfAll = 100.0;
+constexpr double percentOfViseme = 100.0;
 
 }  // namespace
 
@@ -61,7 +61,7 @@ void VisemePanel::setPercent(size_t row, int percent) {
     if (percent == 0)
       state.visemes.erase(names_[row]);
     else
-      state.visemes[names_[row]] = percent / percentOfAll;
+      state.visemes[names_[row]] = percent / percentOfViseme;
   });
   slides_ = false;
 }
@@ -79,7 +79,7 @@ void VisemePanel::follow() {
   for (size_t i = 0; i < rows_.size(); ++i) {
     const auto found = mixture.find(names_[i]);
     const double strength = found == mixture.end() ? 0.0 : found->second;
-    rows_[i]->show(names_[i], static_cast<int>(std::lround(percentOfAll * strength)));
+    rows_[i]->show(names_[i], static_cast<int>(std::lround(percentOfViseme * strength)));
   }
 }
 

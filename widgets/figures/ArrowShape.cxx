@@ -9,10 +9,10 @@ namespace mien {
 
 namespace {
 
-constexpr double headLength = 1.15;  // mm
-constexpr double headShare = 0.45;   // of an arrow too short for that
-constexpr double headWidth = 0.8;    // of the head's length
-constexpr double shaftWidth = 0.26;  // of the head's length
+constexpr double headLength = 1.15;      // mm
+constexpr double shortHeadShare = 0.45;  // of an arrow too short for that
+constexpr double headWidth = 0.8;        // of the head's length
+constexpr double shaftWidth = 0.26;      // of the head's length
 
 }  // namespace
 
@@ -20,7 +20,7 @@ QPolygonF arrowShape(const QPointF& tail, const QPointF& tip) {
   const QPointF along = tip - tail;
   const double length = std::hypot(along.x(), along.y());
   if (!(length > 0.0)) return {};
-  const double head = std::min(headLength * figureUnitsPerMillimetre, headShare * length);
+  const double head = std::min(headLength * figureUnitsPerMillimetre, shortHeadShare * length);
   const QPointF unit = along / length, aside(-unit.y(), unit.x());
   const QPointF neck = tip - head * unit, shaft = 0.5 * shaftWidth * head * aside,
                 barb = 0.5 * headWidth * head * aside;

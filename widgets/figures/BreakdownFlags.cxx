@@ -17,16 +17,12 @@ constexpr double lowest = 3.6, step = 4.8,
 constexpr double apart = 5.2;                       // pt, between markers at one height
 constexpr double stemDepth = 2.0, stemWidth = 0.5;  // pt
 
-double points(double number) {
-  return figureUnitsFromPoints(number);
-}
-
 }  // namespace
 
 double BreakdownFlags::height(const Chart& chart) {
   const bool any = std::any_of(chart.series.begin(), chart.series.end(),
                                [](const ChartSeries& series) { return series.breakdown.has_value(); });
-  return any ? points(lowest + (levels - 1) * step + room) : 0.0;
+  return any ? figureUnitsFromPoints(lowest + (levels - 1) * step + room) : 0.0;
 }
 
 void BreakdownFlags::paint(QPainter& painter, const QRectF& plot, const AxisScale& x) const {
@@ -39,13 +35,15 @@ void BreakdownFlags::paint(QPainter& painter, const QRectF& plot, const AxisScal
   ends.fill(-1e9);
   for (const auto& [at, series] : flags) {
     if (at < plot.left() - 1.0 || at > plot.right() + 1.0) continue;
-    const auto free = std::find_if(ends.begin(), ends.end(), [&](double end) { return at - end >= points(apart); });
+    const auto free =
+        std::find_if(ends.begin(), ends.end(), [&](double end) { return at - end >= figureUnitsFromPoints(apart); });
     const auto level = free != ends.end() ? free : std::min_element(ends.begin(), ends.end());
     *level = at;
     const SeriesStyle style(theme_, ChartPainter::styleOf(chart_, series));
-    const QPointF middle(at, plot.top() - points(lowest + step * static_cast<double>(level - ends.begin())));
-    painter.setPen(QPen(style.color(), points(stemWidth)));
-    painter.drawLine(middle, QPointF(at, plot.top() + points(stemDepth)));
+    const QPointF middle(at,
+                         plot.top() - figureUnitsFromPoints(lowest + step * static_cast<double>(level - ends.begin())));
+    painter.setPen(QPen(style.color(), figureUnitsFromPoints(stemWidth)));
+    painter.drawLine(middle, QPointF(at, plot.top() + figureUnitsFromPoints(stemDepth)));
     style.drawMarker(painter, middle);
   }
 }

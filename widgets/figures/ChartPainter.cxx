@@ -16,15 +16,11 @@ namespace {
 constexpr double numberSize = 6.5;   // pt
 constexpr double headingSize = 7.5;  // pt
 constexpr double tickLength = 2.0;   // pt
-constexpr double gap = 2.5;          // pt, between ticks, numbers and titles
+constexpr double tickGap = 2.5;      // pt, between ticks, numbers and titles
 constexpr double spread = 26.0;      // pt, at least, between the few markers that tell lines apart
 constexpr double spreadShare = 9.0;  // pt, for each series: where lines coincide their markers stand apart
 constexpr double brokenWidth = 0.5;  // of a line, from where its values mean nothing
 constexpr double barShare = 0.8;     // of the room between two categories
-
-double points(double number) {
-  return figureUnitsFromPoints(number);
-}
 
 std::vector<double> finiteValues(const Chart& chart, bool ofX) {
   std::vector<double> values;
@@ -89,7 +85,7 @@ bool ChartPainter::namesFit(double plotWidth, size_t step) const {
   for (size_t i = 0; i + step < names.size(); i += step) {
     const double widths =
         textWidth(font, QString::fromStdString(names[i])) + textWidth(font, QString::fromStdString(names[i + step]));
-    if (0.5 * widths + points(gap) > step * plotWidth / names.size()) return false;
+    if (0.5 * widths + figureUnitsFromPoints(tickGap) > step * plotWidth / names.size()) return false;
   }
   return true;
 }
@@ -110,7 +106,8 @@ std::vector<AxisTick> ChartPainter::nameTicks(double plotWidth) const {
   const double last = 0.5 * textWidth(font, QString::fromStdString(ticks.back().text));
   for (size_t i = 0; i + 1 < ticks.size(); ++i) {
     const double half = 0.5 * textWidth(font, QString::fromStdString(ticks[i].text));
-    const bool meetsLast = half + last + points(gap) > (ticks.size() - 1 - i) * plotWidth / ticks.size();
+    const bool meetsLast =
+        half + last + figureUnitsFromPoints(tickGap) > (ticks.size() - 1 - i) * plotWidth / ticks.size();
     if (i % step != 0 || meetsLast) ticks[i].text.clear();
   }
   return ticks;
@@ -125,7 +122,7 @@ double ChartPainter::overhang(double plotWidth) const {
 
 /// From the plot to below the numbers.
 double ChartPainter::numberDepth(double plotWidth) const {
-  return points(tickLength + gap) +
+  return figureUnitsFromPoints(tickLength + tickGap) +
          (namesStandUpright(plotWidth) ? categoryWidth() : lineHeight(figureFont(numberSize)));
 }
 
@@ -145,7 +142,7 @@ std::vector<AxisTick> ChartPainter::xTicks(double plotWidth) const {
       const double middle = x_.fraction(tick.value) * plotWidth;
       if (tick.text.empty()) continue;
       fits = fits && middle - 0.5 * width > end;
-      end = middle + 0.5 * width + points(2.0 * gap);
+      end = middle + 0.5 * width + figureUnitsFromPoints(2.0 * tickGap);
     }
     if (fits) return ticks;
   }
@@ -155,14 +152,14 @@ std::vector<AxisTick> ChartPainter::xTicks(double plotWidth) const {
 ChartPainter::Margins ChartPainter::margins(double cellWidth, double plotHeight) const {
   const QFont font = figureFont(numberSize), large = figureFont(headingSize);
   Margins margins;
-  margins.top = textLines(large, heading(), cellWidth).size() * lineHeight(large) + points(2.0 * gap) +
-                BreakdownFlags::height(chart_);
+  margins.top = textLines(large, heading(), cellWidth).size() * lineHeight(large) +
+                figureUnitsFromPoints(2.0 * tickGap) + BreakdownFlags::height(chart_);
   for (const AxisTick& tick : yTicks(plotHeight))
     margins.left = std::max(margins.left, textWidth(font, QString::fromStdString(tick.text)));
-  margins.left += points(tickLength + gap);
-  const double plotWidth = cellWidth - margins.left - points(2.0 * gap);
+  margins.left += figureUnitsFromPoints(tickLength + tickGap);
+  const double plotWidth = cellWidth - margins.left - figureUnitsFromPoints(2.0 * tickGap);
   margins.bottom = numberDepth(plotWidth) + (chart_.x.title.empty() ? 0.0 : lineHeight(font));
-  margins.right = points(2.0 * gap) + overhang(plotWidth);
+  margins.right = figureUnitsFromPoints(2.0 * tickGap) + overhang(plotWidth);
   return margins;
 }
 
@@ -191,7 +188,8 @@ void ChartPainter::paintHeading(QPainter& painter) const {
   const QFont font = figureFont(headingSize), bold = figureFont(headingSize, true);
   const QStringList lines = textLines(font, heading(), cell_.width());
   painter.setPen(theme_.text);
-  double y = plot_.top() - points(2.2 * gap) - BreakdownFlags::height(chart_) - (lines.size() - 1) * lineHeight(font);
+  double y = plot_.top() - figureUnitsFromPoints(2.2 * tickGap) - BreakdownFlags::height(chart_) -
+             (lines.size() - 1) * lineHeight(font);
   for (int i = 0; i < lines.size(); ++i) {
     const QString label = i == 0 && lines[i].startsWith(label_) ? label_ : QString();
     painter.setFont(bold);
@@ -209,14 +207,14 @@ void ChartPainter::paintYAxis(QPainter& painter) const {
     const double y = position(x_.begin(), tick.value).y();
     const QString text = QString::fromStdString(tick.text);
     if (!text.isEmpty()) {
-      painter.setPen(QPen(theme_.grid, points(theme_.axisWidth)));
+      painter.setPen(QPen(theme_.grid, figureUnitsFromPoints(theme_.axisWidth)));
       painter.drawLine(QPointF(plot_.left(), y), QPointF(plot_.right(), y));
     }
-    painter.setPen(QPen(theme_.axis, points(theme_.axisWidth)));
-    painter.drawLine(QPointF(plot_.left() - points(text.isEmpty() ? 0.5 * tickLength : tickLength), y),
+    painter.setPen(QPen(theme_.axis, figureUnitsFromPoints(theme_.axisWidth)));
+    painter.drawLine(QPointF(plot_.left() - figureUnitsFromPoints(text.isEmpty() ? 0.5 * tickLength : tickLength), y),
                      QPointF(plot_.left(), y));
     painter.setPen(theme_.text);
-    const double x = plot_.left() - points(tickLength + 0.5 * gap) - textWidth(font, text);
+    const double x = plot_.left() - figureUnitsFromPoints(tickLength + 0.5 * tickGap) - textWidth(font, text);
     if (!text.isEmpty()) painter.drawText(QPointF(x, y + 0.36 * font.pixelSize()), text);
   }
 }
@@ -227,9 +225,10 @@ void ChartPainter::paintXAxis(QPainter& painter) const {
   for (const AxisTick& tick : xTicks(plot_.width())) {
     const double x = plot_.left() + x_.fraction(tick.value) * plot_.width();
     const QString text = QString::fromStdString(tick.text);
-    painter.setPen(QPen(theme_.axis, points(theme_.axisWidth)));
-    painter.drawLine(QPointF(x, plot_.bottom()),
-                     QPointF(x, plot_.bottom() + points(text.isEmpty() ? 0.5 * tickLength : tickLength)));
+    painter.setPen(QPen(theme_.axis, figureUnitsFromPoints(theme_.axisWidth)));
+    painter.drawLine(
+        QPointF(x, plot_.bottom()),
+        QPointF(x, plot_.bottom() + figureUnitsFromPoints(text.isEmpty() ? 0.5 * tickLength : tickLength)));
     painter.setPen(theme_.text);
     if (!text.isEmpty()) paintCategory(painter, x, text);
   }
@@ -241,7 +240,7 @@ void ChartPainter::paintXAxis(QPainter& painter) const {
 
 void ChartPainter::paintCategory(QPainter& painter, double x, const QString& text) const {
   const QFont font = figureFont(numberSize);
-  const double top = plot_.bottom() + points(tickLength + 0.5 * gap), width = textWidth(font, text);
+  const double top = plot_.bottom() + figureUnitsFromPoints(tickLength + 0.5 * tickGap), width = textWidth(font, text);
   if (chart_.x.categories.empty() || !namesStandUpright(plot_.width())) {
     painter.drawText(QPointF(x - 0.5 * width, top + 0.9 * font.pixelSize()), text);
     return;
@@ -254,13 +253,13 @@ void ChartPainter::paintCategory(QPainter& painter, double x, const QString& tex
 }
 
 void ChartPainter::paintFrame(QPainter& painter) const {
-  painter.setPen(QPen(theme_.axis, points(theme_.axisWidth)));
+  painter.setPen(QPen(theme_.axis, figureUnitsFromPoints(theme_.axisWidth)));
   painter.drawLine(plot_.bottomLeft(), plot_.bottomRight());
   painter.drawLine(plot_.topLeft(), plot_.bottomLeft());
 }
 
 void ChartPainter::paintMarks(QPainter& painter) const {
-  QPen pen(theme_.axis, points(0.8 * theme_.lineWidth));
+  QPen pen(theme_.axis, figureUnitsFromPoints(0.8 * theme_.lineWidth));
   pen.setDashPattern({3.0, 3.0});
   painter.setPen(pen);
   for (const ChartMark& mark : chart_.marks) {
@@ -317,7 +316,7 @@ void ChartPainter::paintMarkers(QPainter& painter, size_t index) const {
   if (isBars(series) || (series.kind == ChartSeries::Kind::Line && chart_.series.size() == 1)) return;
   const SeriesStyle style(theme_, styleOf(chart_, index));
   const QRectF around = plot_.adjusted(-1.0, -1.0, 1.0, 1.0);  // rounding
-  const double distance = points(std::max(spread, spreadShare * chart_.series.size()));
+  const double distance = figureUnitsFromPoints(std::max(spread, spreadShare * chart_.series.size()));
   double next = plot_.left() + distance * (0.3 + index) / chart_.series.size();
   for (const QPolygonF& line : unbrokenLines(series))
     for (const QPointF& point : line) {

@@ -7,7 +7,7 @@ namespace mien {
 
 namespace {
 
-constexpr auto logarithmic = ChartAxis::Scale::Logarithmic;
+constexpr auto logarithmicScale = ChartAxis::Scale::Logarithmic;
 
 bool hasDistance(const DetailPoint& point) {
   return std::isfinite(point.rms) && point.rms > 0.0;
@@ -44,8 +44,8 @@ ChartSeries seriesOf(std::vector<DetailPoint> points, const std::string& name, d
 Chart chartOf(const std::vector<DetailPoint>& points, const char* title, double DetailPoint::*measure,
               double curveBytes) {
   Chart chart;
-  chart.x = ChartAxis{"Size", "bytes", logarithmic};
-  chart.y = ChartAxis{title, "mm", logarithmic};
+  chart.x = ChartAxis{"Size", "bytes", logarithmicScale};
+  chart.y = ChartAxis{title, "mm", logarithmicScale};
   for (const auto& [name, style] : representations) {
     ChartSeries series = seriesOf(points, name, measure);
     series.style = style;

@@ -10,7 +10,6 @@ namespace mien {
 
 namespace {
 
-constexpr double border = FigureWords::border;
 constexpr double leastPanel = 38.0;   // mm: narrower panels have no room for three numbers on their x axis
 constexpr double leastHeight = 24.0;  // mm, of a plot
 constexpr double plotShape = 0.55;    // height over width of a panel's plot ...
@@ -18,29 +17,26 @@ constexpr double mostHeight = 65.0;   // mm: ... until that is taller than a fig
 constexpr double columnGap = 3.0;     // mm
 constexpr double rowGap = 3.0;        // mm
 
-double units(double millimetres) {
-  return millimetres * figureUnitsPerMillimetre;
-}
-
 }  // namespace
 
 FigurePainter::FigurePainter(const Figure& figure, const FigureTheme& theme, double width, double height)
     : figure_(figure),
       theme_(theme),
-      size_(units(width), 0.0),
-      inner_(units(width - 2.0 * border)),
+      size_(figureUnits(width), 0.0),
+      inner_(figureUnits(width - 2.0 * FigureWords::border)),
       legend_(figure, theme, inner_),
       words_(figure.title, figure.caption, figure.note, width) {
   for (size_t i = 0; i < figure.panels.size(); ++i)
     panels_.emplace_back(
         figure.panels[i], theme,
         figure.labelled ? panelLabel(figure.firstLabel + i, figure.firstLabel + figure.panels.size()) : QString());
-  layOut(units(height));
+  layOut(figureUnits(height));
 }
 
 int FigurePainter::columnCount() const {
   const int count = std::max<int>(1, panels_.size());
-  const int fitting = std::max(1, static_cast<int>((inner_ + units(columnGap)) / units(leastPanel + columnGap)));
+  const int fitting =
+      std::max(1, static_cast<int>((inner_ + figureUnits(columnGap)) / figureUnits(leastPanel + columnGap)));
   const int wanted = figure_.columns > 0 ? figure_.columns : fitting;
   const int columns = std::min({wanted, fitting, count});
   const int rows = (count + columns - 1) / columns;
@@ -54,20 +50,22 @@ int FigurePainter::rowCount() const {
 
 double FigurePainter::cellWidth() const {
   const int columns = columnCount();
-  return (inner_ - (columns - 1) * units(columnGap)) / columns;
+  return (inner_ - (columns - 1) * figureUnits(columnGap)) / columns;
 }
 
 void FigurePainter::layOut(double height) {
-  legendTop_ = units(border) + words_.titleHeight();
-  const double top = legendTop_ + legend_.height() + units(1.2);
-  const double below = (words_.belowHeight() > 0.0 ? units(2.0) : 0.0) + words_.belowHeight() + units(border);
+  legendTop_ = figureUnits(FigureWords::border) + words_.titleHeight();
+  const double top = legendTop_ + legend_.height() + figureUnits(1.2);
+  const double below =
+      (words_.belowHeight() > 0.0 ? figureUnits(2.0) : 0.0) + words_.belowHeight() + figureUnits(FigureWords::border);
   const int rows = rowCount();
-  const double gaps = std::max(0, rows - 1) * units(rowGap);
-  const double wantedPlot = std::min(std::max(units(leastHeight), plotShape * cellWidth()), units(mostHeight));
+  const double gaps = std::max(0, rows - 1) * figureUnits(rowGap);
+  const double wantedPlot =
+      std::min(std::max(figureUnits(leastHeight), plotShape * cellWidth()), figureUnits(mostHeight));
   const ChartPainter::Margins margins = commonMargins(wantedPlot);
   const double wanted = top + rows * (margins.top + wantedPlot + margins.bottom) + gaps + below;
   size_.setHeight(std::ceil(height > 0.0 ? height : wanted));
-  textTop_ = size_.height() - units(border) - words_.belowHeight();
+  textTop_ = size_.height() - figureUnits(FigureWords::border) - words_.belowHeight();
   placePanels(top, (size_.height() - top - below - gaps) / std::max(1, rows), margins);
 }
 
@@ -87,8 +85,8 @@ void FigurePainter::placePanels(double top, double cellHeight, const ChartPainte
   const int columns = columnCount();
   const QSizeF cell(cellWidth(), cellHeight);
   for (size_t i = 0; i < panels_.size(); ++i) {
-    const double x = units(border) + (i % columns) * (cell.width() + units(columnGap));
-    const double y = top + (i / columns) * (cell.height() + units(rowGap));
+    const double x = figureUnits(FigureWords::border) + (i % columns) * (cell.width() + figureUnits(columnGap));
+    const double y = top + (i / columns) * (cell.height() + figureUnits(rowGap));
     panels_[i].place(QRectF(QPointF(x, y), cell), margins);
   }
 }
@@ -97,7 +95,7 @@ void FigurePainter::paint(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
   if (theme_.background.isValid()) painter.fillRect(QRectF(QPointF(), size_), theme_.background);
   words_.paintTitle(painter, theme_);
-  legend_.paint(painter, QPointF(units(border), legendTop_));
+  legend_.paint(painter, QPointF(figureUnits(FigureWords::border), legendTop_));
   for (const ChartPainter& panel : panels_) panel.paint(painter);
   words_.paintBelow(painter, theme_, textTop_);
 }

@@ -10,6 +10,10 @@ namespace mien {
 /// Figures are drawn in hundredths of a millimetre, whatever the file's format.
 constexpr double figureUnitsPerMillimetre = 100.0;
 
+constexpr double figureUnits(double millimetres) {
+  return millimetres * figureUnitsPerMillimetre;
+}
+
 /// A length of typography in units of figures: 1 pt is 1/72 inch.
 constexpr double figureUnitsFromPoints(double points) {
   return points * 25.4 / 72.0 * figureUnitsPerMillimetre;

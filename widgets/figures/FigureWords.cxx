@@ -11,10 +11,6 @@ namespace {
 constexpr double titleSize = 8.5, captionSize = 7.0, noteSize = 6.0;  // pt
 constexpr double titleGap = 0.8;                                      // mm
 
-double units(double millimetres) {
-  return millimetres * figureUnitsPerMillimetre;
-}
-
 }  // namespace
 
 double FigureWords::Paragraph::height() const {
@@ -25,7 +21,7 @@ double FigureWords::Paragraph::paint(QPainter& painter, const FigureTheme& theme
   painter.setFont(font);
   painter.setPen(theme.text);
   for (const QString& line : lines) {
-    painter.drawText(QPointF(units(border), y + 0.95 * font.pixelSize()), line);
+    painter.drawText(QPointF(figureUnits(border), y + 0.95 * font.pixelSize()), line);
     y += lineHeight(font);
   }
   return y;
@@ -35,7 +31,7 @@ FigureWords::FigureWords(const std::string& title, const std::string& caption, c
                          const QString& family) {
   const auto broken = [&](QFont font, const std::string& text) {
     if (!family.isEmpty()) font.setFamily(family);
-    return Paragraph{font, textLines(font, QString::fromStdString(text), units(width - 2.0 * border))};
+    return Paragraph{font, textLines(font, QString::fromStdString(text), figureUnits(width - 2.0 * border))};
   };
   title_ = broken(figureFont(titleSize, true), title);
   caption_ = broken(figureFont(captionSize), caption);
@@ -43,7 +39,7 @@ FigureWords::FigureWords(const std::string& title, const std::string& caption, c
 }
 
 double FigureWords::titleHeight() const {
-  return title_.lines.isEmpty() ? 0.0 : title_.height() + units(titleGap);
+  return title_.lines.isEmpty() ? 0.0 : title_.height() + figureUnits(titleGap);
 }
 
 double FigureWords::belowHeight() const {
@@ -51,7 +47,7 @@ double FigureWords::belowHeight() const {
 }
 
 void FigureWords::paintTitle(QPainter& painter, const FigureTheme& theme) const {
-  title_.paint(painter, theme, units(border));
+  title_.paint(painter, theme, figureUnits(border));
 }
 
 void FigureWords::paintBelow(QPainter& painter, const FigureTheme& theme, double y) const {

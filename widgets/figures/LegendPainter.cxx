@@ -16,10 +16,6 @@ constexpr double symbolWidth = 27.0;  // pt: long enough to show a pattern of da
 constexpr double symbolGap = 4.0;     // pt
 constexpr double entryGap = 12.0;     // pt
 
-double points(double number) {
-  return figureUnitsFromPoints(number);
-}
-
 QFont legendFont() {
   return figureFont(textSize);
 }
@@ -59,13 +55,13 @@ void LegendPainter::place(double width) {
   QPointF at(0.0, 0.0);
   rows_ = entries_.empty() ? 0 : 1;
   for (Entry& entry : entries_) {
-    const double length = points(symbolWidth + symbolGap) + textWidth(legendFont(), entry.name);
+    const double length = figureUnitsFromPoints(symbolWidth + symbolGap) + textWidth(legendFont(), entry.name);
     if (at.x() > 0.0 && at.x() + length > width) {
       at = QPointF(0.0, at.y() + rowHeight());
       ++rows_;
     }
     entry.place = at;
-    at.rx() += length + points(entryGap);
+    at.rx() += length + figureUnitsFromPoints(entryGap);
   }
 }
 
@@ -79,14 +75,15 @@ void LegendPainter::paint(QPainter& painter, const QPointF& topLeft) const {
     paintSymbol(painter, entry, left);
     painter.setFont(legendFont());
     painter.setPen(theme_.text);
-    painter.drawText(left + QPointF(points(symbolWidth + symbolGap), 0.36 * legendFont().pixelSize()), entry.name);
+    painter.drawText(left + QPointF(figureUnitsFromPoints(symbolWidth + symbolGap), 0.36 * legendFont().pixelSize()),
+                     entry.name);
   }
 }
 
 void LegendPainter::paintSymbol(QPainter& painter, const Entry& entry, const QPointF& left) const {
   const SeriesStyle style(theme_, entry.style);
-  const QPointF right = left + QPointF(points(symbolWidth), 0.0), middle = 0.5 * (left + right);
-  QPen mark(theme_.axis, points(0.8 * theme_.lineWidth));
+  const QPointF right = left + QPointF(figureUnitsFromPoints(symbolWidth), 0.0), middle = 0.5 * (left + right);
+  QPen mark(theme_.axis, figureUnitsFromPoints(0.8 * theme_.lineWidth));
   mark.setDashPattern({3.0, 3.0});
   switch (entry.kind) {
     case Entry::Kind::Line:
@@ -97,17 +94,18 @@ void LegendPainter::paintSymbol(QPainter& painter, const Entry& entry, const QPo
     case Entry::Kind::Bar:
       painter.setPen(Qt::NoPen);
       painter.setBrush(style.color());
-      painter.drawRect(QRectF(left.x() + points(6.0), left.y() - points(2.5), points(symbolWidth - 6.0), points(5.0)));
+      painter.drawRect(QRectF(left.x() + figureUnitsFromPoints(6.0), left.y() - figureUnitsFromPoints(2.5),
+                              figureUnitsFromPoints(symbolWidth - 6.0), figureUnitsFromPoints(5.0)));
       break;
     case Entry::Kind::Mark:
       painter.setPen(mark);
       painter.drawLine(left, right);
       break;
     case Entry::Kind::Breakdown:
-      painter.setPen(QPen(theme_.axis, points(0.5)));
-      painter.drawLine(middle, middle + QPointF(0.0, points(4.0)));
+      painter.setPen(QPen(theme_.axis, figureUnitsFromPoints(0.5)));
+      painter.drawLine(middle, middle + QPointF(0.0, figureUnitsFromPoints(4.0)));
       painter.setBrush(theme_.axis);
-      painter.drawEllipse(middle, points(1.6), points(1.6));
+      painter.drawEllipse(middle, figureUnitsFromPoints(1.6), figureUnitsFromPoints(1.6));
       break;
   }
 }

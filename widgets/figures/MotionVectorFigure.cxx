@@ -11,11 +11,10 @@ namespace mien {
 
 namespace {
 
-constexpr double border = FigureWords::border;
-constexpr double leastPanel = 38.0;     // mm
+constexpr double leastPicture = 38.0;   // mm
 constexpr double leastAsked = 20.0;     // mm, of panels whose number in a row is asked for
-constexpr double columnGap = 3.0;       // mm
-constexpr double rowGap = 3.0;          // mm
+constexpr double pictureGap = 3.0;      // mm
+constexpr double pictureRowGap = 3.0;   // mm
 constexpr double wordsGap = 2.0;        // mm, above caption and note
 constexpr double referenceRoom = 0.25;  // longest reference arrow over width of the figure
 constexpr double keyGap = 2.5;          // mm, above the key
@@ -27,10 +26,6 @@ constexpr double mostShape = 1.5;       // height over width of a panel
 constexpr double leastEqual = 0.01;     // of the longest vector: shorter ones have no arrow of equal length
 constexpr double leastFace = 8.0;       // mm, of a panel that the key leaves hardly any room
 constexpr int refinements = 5;          // size of the face and overhang of arrows depend on each other, weakly
-
-double units(double millimetres) {
-  return millimetres * figureUnitsPerMillimetre;
-}
 
 QString label(size_t index, size_t count, const std::string& heading) {
   const QString text = QString::fromStdString(heading);
@@ -50,7 +45,7 @@ Eigen::AlignedBox2d usable(const Eigen::AlignedBox2d& frame) {
 }  // namespace
 
 MotionVectorFigure::MotionVectorFigure(const std::vector<MotionVectorPanel>& panels, const MotionVectorOptions& options)
-    : options_(options), style_(options), inner_(units(options.width - 2.0 * border)) {
+    : options_(options), style_(options), inner_(figureUnits(options.width - 2.0 * FigureWords::border)) {
   prepare(panels, static_cast<int>(panels.size()));
   for (size_t i = 0; i < all_.size(); ++i)
     panels_.emplace_back(all_[i], label(i, options_.labelled ? all_.size() : 1, panels[i].heading));
@@ -59,14 +54,14 @@ MotionVectorFigure::MotionVectorFigure(const std::vector<MotionVectorPanel>& pan
 
 MotionVectorFigure::MotionVectorFigure(const std::vector<MotionVectorPanel>& panels, size_t only,
                                        const MotionVectorOptions& options)
-    : options_(options), style_(options), inner_(units(options.width - 2.0 * border)) {
+    : options_(options), style_(options), inner_(figureUnits(options.width - 2.0 * FigureWords::border)) {
   prepare(panels, 1);
   panels_.emplace_back(all_.at(only), label(0, 1, panels.at(only).heading));
   layOut();
 }
 
 void MotionVectorFigure::prepare(const std::vector<MotionVectorPanel>& panels, int shown) {
-  size_.setWidth(units(options_.width));
+  size_.setWidth(figureUnits(options_.width));
   const double cell = cellWidth(columnCount(shown)) / figureUnitsPerMillimetre;
   options_.picture.paper = {cell, mostShape * cell};
   for (const MotionVectorPanel& panel : panels) addPicture(panel.field);
@@ -133,13 +128,14 @@ double MotionVectorFigure::scaleFor(double longest) const {
 }
 
 double MotionVectorFigure::panelsWidth() const {
-  return options_.keyBeside ? std::max(units(leastPanel), inner_ - units(keyWidth + besideGap)) : inner_;
+  return options_.keyBeside ? std::max(figureUnits(leastPicture), inner_ - figureUnits(keyWidth + besideGap)) : inner_;
 }
 
 int MotionVectorFigure::columnCount(int panels) const {
   const int count = std::max(1, panels);
-  const double least = options_.columns > 0 ? leastAsked : leastPanel;
-  const int fitting = std::max(1, static_cast<int>((panelsWidth() + units(columnGap)) / units(least + columnGap)));
+  const double least = options_.columns > 0 ? leastAsked : leastPicture;
+  const int fitting =
+      std::max(1, static_cast<int>((panelsWidth() + figureUnits(pictureGap)) / figureUnits(least + pictureGap)));
   const int most = options_.asRow ? std::max(count, options_.columns) : count;  // a row keeps its cells
   const int columns = std::min({options_.columns > 0 ? options_.columns : fitting, fitting, most});
   const int rows = (count + columns - 1) / columns;
@@ -147,7 +143,7 @@ int MotionVectorFigure::columnCount(int panels) const {
 }
 
 double MotionVectorFigure::cellWidth(int columns) const {
-  return (panelsWidth() - (columns - 1) * units(columnGap)) / columns;
+  return (panelsWidth() - (columns - 1) * figureUnits(pictureGap)) / columns;
 }
 
 double MotionVectorFigure::headingHeight() const {
@@ -194,23 +190,25 @@ void MotionVectorFigure::layOut() {
   const bool moves = std::any_of(all_.begin(), all_.end(), [](const VectorPicture& p) { return !p.arrows.empty(); });
   if (moves) addKey();
   const double keyHeight = key_ && !options_.keyBeside ? key_->height() : 0.0;
-  const double words = words_->belowHeight() + (words_->belowHeight() > 0.0 ? units(wordsGap) : 0.0);
-  const double below = units(keyGap) + keyHeight + words + units(border);
-  const double top = units(border) + words_->titleHeight();
-  const double between = std::max(0, rows - 1) * units(rowGap) + rows * headingHeight();
-  const double given = (units(options_.height) - top - below - between) / std::max(1, rows);
-  const double free = options_.height > 0.0 ? std::max(given, units(leastFace)) : mostShape * cellWidth;
+  const double words = words_->belowHeight() + (words_->belowHeight() > 0.0 ? figureUnits(wordsGap) : 0.0);
+  const double below = figureUnits(keyGap) + keyHeight + words + figureUnits(FigureWords::border);
+  const double top = figureUnits(FigureWords::border) + words_->titleHeight();
+  const double between = std::max(0, rows - 1) * figureUnits(pictureRowGap) + rows * headingHeight();
+  const double given = (figureUnits(options_.height) - top - below - between) / std::max(1, rows);
+  const double free = options_.height > 0.0 ? std::max(given, figureUnits(leastFace)) : mostShape * cellWidth;
   const double panelHeight = placePanels(top, {cellWidth, free}, columns);
-  keyTop_ = top + rows * panelHeight + between + units(keyGap);
-  size_.setHeight(std::ceil(std::max(keyTop_ - units(keyGap) + below, units(options_.height))));
-  wordsTop_ = size_.height() - units(border) - words_->belowHeight();
+  keyTop_ = top + rows * panelHeight + between + figureUnits(keyGap);
+  size_.setHeight(std::ceil(std::max(keyTop_ - figureUnits(keyGap) + below, figureUnits(options_.height))));
+  wordsTop_ = size_.height() - figureUnits(FigureWords::border) - words_->belowHeight();
   if (key_) addKey();  // the scale may follow the size of the face
-  keyLeft_ = options_.keyBeside ? units(border + besideGap) + panelsWidth() : units(border);
+  keyLeft_ = options_.keyBeside ? figureUnits(FigureWords::border + besideGap) + panelsWidth()
+                                : figureUnits(FigureWords::border);
   if (key_ && options_.keyBeside) keyTop_ = top + std::max(0.0, 0.5 * (wordsTop_ - top - key_->height()));
 }
 
 void MotionVectorFigure::addKey() {
-  key_.emplace(style_, reference_, options_.keyBeside ? inner_ - panelsWidth() - units(besideGap) : inner_, beyond_);
+  key_.emplace(style_, reference_, options_.keyBeside ? inner_ - panelsWidth() - figureUnits(besideGap) : inner_,
+               beyond_);
 }
 
 /// @return what a panel needs below its heading
@@ -222,8 +220,8 @@ double MotionVectorFigure::placePanels(double top, const QSizeF& free, int colum
   const double height = plot.height() + margins.top + margins.bottom;
   const double aside = 0.5 * (free.width() - plot.width() - margins.left - margins.right);
   for (size_t i = 0; i < panels_.size(); ++i) {
-    const double x = units(border) + (i % columns) * (free.width() + units(columnGap));
-    const double y = top + (i / columns) * (headingHeight() + height + units(rowGap));
+    const double x = figureUnits(FigureWords::border) + (i % columns) * (free.width() + figureUnits(pictureGap));
+    const double y = top + (i / columns) * (headingHeight() + height + figureUnits(pictureRowGap));
     headingPlaces_.emplace_back(x, y);
     panels_[i].place(QPointF(x + aside + margins.left, y + headingHeight() + margins.top), frame_, scale);
   }

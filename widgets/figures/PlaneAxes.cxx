@@ -10,9 +10,9 @@ namespace mien {
 namespace {
 
 constexpr double tick = 0.7, numbersRoom = 5.5, titlePlace = 5.4, unitRoom = 7.0, titleRoom = 3.0;  // mm
-constexpr double paddingShare = 0.04;  // of the content, on every side
-constexpr double numberSize = 6.0;     // pt
-constexpr double rounding = 1e-9;      // of a step
+constexpr double paddingShare = 0.04;   // of the content, on every side
+constexpr double axisNumberSize = 6.0;  // pt
+constexpr double stepRounding = 1e-9;   // of a step
 
 PlaneStroke axisStroke() {
   PlaneStroke stroke;
@@ -23,7 +23,7 @@ PlaneStroke axisStroke() {
 /// The multiples of the step from `from` to `to`.
 std::vector<double> multiples(double from, double to, double step) {
   std::vector<double> values;
-  for (double i = std::ceil(from / step - rounding); i <= std::floor(to / step + rounding); ++i)
+  for (double i = std::ceil(from / step - stepRounding); i <= std::floor(to / step + stepRounding); ++i)
     values.push_back(i * step);
   return values;
 }
@@ -32,7 +32,7 @@ PlaneDrawing::Label label(const QPointF& at, const QString& text, int alignment)
   PlaneDrawing::Label label;
   label.at = at;
   label.text = text;
-  label.size = numberSize;
+  label.size = axisNumberSize;
   label.alignment = alignment;
   return label;
 }

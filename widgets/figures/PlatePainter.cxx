@@ -11,13 +11,9 @@ namespace mien {
 
 namespace {
 
-constexpr double columnGap = 2.5, rowGap = 2.5;     // mm
-constexpr double headingGap = 0.6, wordsGap = 1.5;  // mm
-constexpr double headingSize = 7.0;                 // pt
-
-double units(double millimetres) {
-  return millimetres * figureUnitsPerMillimetre;
-}
+constexpr double panelGap = 2.5, plateRowGap = 2.5;      // mm
+constexpr double headingGap = 0.6, plateWordsGap = 1.5;  // mm
+constexpr double plateHeadingSize = 7.0;                 // pt
 
 }  // namespace
 
@@ -32,8 +28,8 @@ PlatePainter::PlatePainter(const Plate& plate, const FigureTheme& theme, double 
 
 double PlatePainter::panelWidth(double width, int columns, int span) {
   const double inner = width - 2.0 * FigureWords::border;
-  const double column = (inner - (columns - 1) * columnGap) / columns;
-  return span * column + (span - 1) * columnGap;
+  const double column = (inner - (columns - 1) * panelGap) / columns;
+  return span * column + (span - 1) * panelGap;
 }
 
 size_t PlatePainter::endOfRow(size_t begin) const {
@@ -56,33 +52,34 @@ bool PlatePainter::hasHeading(size_t panel) const {
 
 /// @return the y below the row
 double PlatePainter::placeRow(size_t begin, size_t end, double top, double width) {
-  double x = units(FigureWords::border), heading = 0.0, height = 0.0;
+  double x = figureUnits(FigureWords::border), heading = 0.0, height = 0.0;
   for (size_t i = begin; i < end; ++i)
-    if (hasHeading(i)) heading = lineHeight(figureFont(headingSize)) + units(headingGap);
+    if (hasHeading(i)) heading = lineHeight(figureFont(plateHeadingSize)) + figureUnits(headingGap);
   for (size_t i = begin; i < end; ++i) {
-    const double panel = units(panelWidth(width, plate_.columns, std::min(plate_.panels[i].span, plate_.columns)));
+    const double panel =
+        figureUnits(panelWidth(width, plate_.columns, std::min(plate_.panels[i].span, plate_.columns)));
     places_[i] = QRectF(x, top + heading, panel, panel * plate_.panels[i].shape);
     height = std::max(height, places_[i].height());
-    x += panel + units(columnGap);
+    x += panel + figureUnits(panelGap);
   }
   return top + heading + height;
 }
 
 void PlatePainter::layOut(double width) {
-  double y = units(FigureWords::border) + words_.titleHeight();
+  double y = figureUnits(FigureWords::border) + words_.titleHeight();
   for (size_t begin = 0; begin < places_.size();) {
     const size_t end = endOfRow(begin);
-    y = placeRow(begin, end, y + (begin > 0 ? units(rowGap) : 0.0), width);
+    y = placeRow(begin, end, y + (begin > 0 ? figureUnits(plateRowGap) : 0.0), width);
     begin = end;
   }
-  wordsTop_ = y + (words_.belowHeight() > 0.0 ? units(wordsGap) : 0.0);
-  size_ = QSizeF(units(width), std::ceil(wordsTop_ + words_.belowHeight() + units(FigureWords::border)));
+  wordsTop_ = y + (words_.belowHeight() > 0.0 ? figureUnits(plateWordsGap) : 0.0);
+  size_ = QSizeF(figureUnits(width), std::ceil(wordsTop_ + words_.belowHeight() + figureUnits(FigureWords::border)));
 }
 
 void PlatePainter::paintHeading(QPainter& painter, size_t panel) const {
-  const QFont bold = figureFont(headingSize, true), plain = figureFont(headingSize);
+  const QFont bold = figureFont(plateHeadingSize, true), plain = figureFont(plateHeadingSize);
   const QString label = labelOf(panel);
-  QPointF place = places_[panel].topLeft() - QPointF(0.0, units(headingGap) + 0.25 * plain.pixelSize());
+  QPointF place = places_[panel].topLeft() - QPointF(0.0, figureUnits(headingGap) + 0.25 * plain.pixelSize());
   painter.setPen(theme_.text);
   painter.setFont(bold);
   painter.drawText(place, label);

@@ -33,10 +33,10 @@ const Panel panels[] = {{"area_mm2", "Area", "mm²", linear, 1.0},
                         {"distance_rms_mm", "RMS to reference", "mm", linear, 1.5}};
 
 constexpr double halfTurn = 180.0;
-constexpr double leastShown = 1e-6;  // mm and degrees: below this values are rounding and would take most of an axis
+constexpr double leastMeasured = 1e-6;  // mm and degrees: below this values are rounding and would take most of an axis
 
 double shown(const Panel& panel, double value) {
-  return *panel.unit && value < leastShown ? 0.0 : value;  // which a logarithmic axis leaves out
+  return *panel.unit && value < leastMeasured ? 0.0 : value;  // which a logarithmic axis leaves out
 }
 
 std::vector<std::string> schemesOf(const std::vector<SweepRecord>& records) {

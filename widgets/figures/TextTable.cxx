@@ -13,17 +13,13 @@ namespace {
 constexpr double cellPadding = 0.8, rowPadding = 0.5;             // mm
 constexpr double closeCellPadding = 0.4, closeRowPadding = 0.15;  // mm
 
-double units(double millimetres) {
-  return millimetres * figureUnitsPerMillimetre;
-}
-
 /// The table with every cell broken into lines for one width.
 class BrokenTable {
  public:
   BrokenTable(const TextTable& table, double width)
       : table_(table),
-        padding_(units(table.close ? closeCellPadding : cellPadding)),
-        rowPadding_(units(table.close ? closeRowPadding : rowPadding)) {
+        padding_(figureUnits(table.close ? closeCellPadding : cellPadding)),
+        rowPadding_(figureUnits(table.close ? closeRowPadding : rowPadding)) {
     setWidths(width);
     std::vector<std::string> titles;
     for (const TextTable::Column& column : table.columns) titles.push_back(column.title);
@@ -161,11 +157,11 @@ BrokenTable fittingTable(TextTable table, double width) {
 }  // namespace
 
 PlatePanel tablePanel(const std::string& heading, const TextTable& table, double width) {
-  const BrokenTable measured = fittingTable(table, units(width));
+  const BrokenTable measured = fittingTable(table, figureUnits(width));
   const auto paint = [table](QPainter& painter, const QRectF& place, const FigureTheme& theme) {
     fittingTable(table, place.width()).paint(painter, place, theme);
   };
-  return {heading, 1, measured.height() / units(width), paint};
+  return {heading, 1, measured.height() / figureUnits(width), paint};
 }
 
 }  // namespace mien

@@ -10,7 +10,7 @@ namespace {
 constexpr double mostLight = 0.72;    // luminance on light paper: viridis ends at a green, not at a yellow nobody sees
 constexpr double middleShade = 0.72;  // of a diverging map on light paper: its grey at zero must be seen on white
 constexpr double leastLight = 0.32;   // on dark backgrounds
-constexpr int steps = 255;
+constexpr int colorSteps = 255;
 
 double luminance(const ColorTable::Rgb& color) {
   return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
@@ -39,8 +39,8 @@ VectorColors::VectorColors(const std::string& map, const FigureTheme& theme, dou
     const double light = luminance(table_->at(t));
     return dark ? light >= leastLight : light <= mostLight;
   };
-  while (!table_->diverging && first_ < 0.5 && !standsOut(first_)) first_ += 1.0 / steps;
-  while (!table_->diverging && last_ > 0.5 && !standsOut(last_)) last_ -= 1.0 / steps;
+  while (!table_->diverging && first_ < 0.5 && !standsOut(first_)) first_ += 1.0 / colorSteps;
+  while (!table_->diverging && last_ > 0.5 && !standsOut(last_)) last_ -= 1.0 / colorSteps;
   if (turned) std::swap(first_, last_);
 }
 

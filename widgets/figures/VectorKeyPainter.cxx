@@ -12,17 +12,13 @@ namespace mien {
 
 namespace {
 
-constexpr double textSize = 7.0, numberSize = 6.5;   // pt
-constexpr double barHeight = 2.6, tickLength = 0.7;  // mm
-constexpr double mostWidth = 90.0;                   // mm, of a key in a wide figure
-constexpr double endRoom = 2.2;                      // mm, for the last number or the point of the bar
-constexpr double gap = 4.0;                          // mm, between arrow and bar
-constexpr double tickRoom = 7.0;                     // mm, of a number below the bar
-constexpr int barSteps = 64;                         // no step of a colour can be seen
-
-double units(double millimetres) {
-  return millimetres * figureUnitsPerMillimetre;
-}
+constexpr double keyTextSize = 7.0, keyNumberSize = 6.5;  // pt
+constexpr double barHeight = 2.6, keyTickLength = 0.7;    // mm
+constexpr double mostWidth = 90.0;                        // mm, of a key in a wide figure
+constexpr double endRoom = 2.2;                           // mm, for the last number or the point of the bar
+constexpr double gap = 4.0;                               // mm, between arrow and bar
+constexpr double tickRoom = 7.0;                          // mm, of a number below the bar
+constexpr int barSteps = 64;                              // no step of a colour can be seen
 
 QString number(double value) {
   return QString::number(value, 'g', 4);
@@ -32,7 +28,7 @@ QString number(double value) {
 
 VectorKeyPainter::VectorKeyPainter(const VectorStyle& style, double reference, double width,
                                    std::pair<bool, bool> beyond)
-    : style_(style), reference_(reference), width_(std::min(width, units(mostWidth))), beyond_(beyond) {
+    : style_(style), reference_(reference), width_(std::min(width, figureUnits(mostWidth))), beyond_(beyond) {
   using Length = MotionVectorOptions::Length;
   const QString seen =
       style.length == Length::InSpace ? QStringLiteral(" of motion in space") : QStringLiteral(" of motion");
@@ -40,10 +36,10 @@ VectorKeyPainter::VectorKeyPainter(const VectorStyle& style, double reference, d
                             ? QStringLiteral("Arrows of equal length show directions; motion below %1 mm has none")
                                   .arg(QString::number(style.leastShown, 'g', 2))
                             : QStringLiteral("1 mm of arrow = %1 mm").arg(number(style.scale)) + seen;
-  scaleLines_ = textLines(style.font(textSize), scale, hasBar() ? barLeft() - units(gap) : width_);
+  scaleLines_ = textLines(style.font(keyTextSize), scale, hasBar() ? barLeft() - figureUnits(gap) : width_);
   if (style.lacksTowards)
-    scaleLines_ << textLines(style.font(textSize), QStringLiteral("No motion towards the viewer"), width_);
-  titleLines_ = textLines(style.font(textSize), title(), width_ - barLeft());
+    scaleLines_ << textLines(style.font(keyTextSize), QStringLiteral("No motion towards the viewer"), width_);
+  titleLines_ = textLines(style.font(keyTextSize), title(), width_ - barLeft());
 }
 
 bool VectorKeyPainter::hasBar() const {
@@ -60,17 +56,17 @@ QString VectorKeyPainter::title() const {
 }
 
 double VectorKeyPainter::height() const {
-  const double line = lineHeight(style_.font(textSize));
-  const double bar =
-      hasBar() ? titleLines_.size() * line + units(barHeight + tickLength + 0.4) + lineHeight(style_.font(numberSize))
-               : 0.0;
+  const double line = lineHeight(style_.font(keyTextSize));
+  const double bar = hasBar() ? titleLines_.size() * line + figureUnits(barHeight + keyTickLength + 0.4) +
+                                    lineHeight(style_.font(keyNumberSize))
+                              : 0.0;
   return std::max(bar, (reference_ > 0.0 ? line : 0.0) + scaleLines_.size() * line);
 }
 
 void VectorKeyPainter::paint(QPainter& painter, const QPointF& topLeft) const {
   paintReference(painter, topLeft);
   if (!hasBar()) return;
-  const QFont font = style_.font(textSize);
+  const QFont font = style_.font(keyTextSize);
   painter.setFont(font);
   painter.setPen(style_.theme.text);
   double y = topLeft.y();
@@ -78,23 +74,24 @@ void VectorKeyPainter::paint(QPainter& painter, const QPointF& topLeft) const {
     painter.drawText(QPointF(topLeft.x() + barLeft(), y + 0.95 * font.pixelSize()), line);
     y += lineHeight(font);
   }
-  const QRectF bar(topLeft.x() + barLeft(), y + units(0.4), width_ - barLeft() - units(endRoom), units(barHeight));
+  const QRectF bar(topLeft.x() + barLeft(), y + figureUnits(0.4), width_ - barLeft() - figureUnits(endRoom),
+                   figureUnits(barHeight));
   paintBar(painter, bar);
   paintTicks(painter, bar);
 }
 
 void VectorKeyPainter::paintReference(QPainter& painter, const QPointF& topLeft) const {
-  const QFont font = style_.font(textSize);
+  const QFont font = style_.font(keyTextSize);
   double y = topLeft.y();
   if (reference_ > 0.0) {
-    const double length = units(reference_ / style_.scale);
+    const double length = figureUnits(reference_ / style_.scale);
     const QPointF tail(topLeft.x(), y + 0.6 * font.pixelSize());
     painter.setPen(Qt::NoPen);
     painter.setBrush(style_.theme.text);
     painter.drawPolygon(arrowShape(tail, tail + QPointF(length, 0.0)));
     painter.setFont(font);
     painter.setPen(style_.theme.text);
-    painter.drawText(QPointF(topLeft.x() + length + units(1.5), y + 0.95 * font.pixelSize()),
+    painter.drawText(QPointF(topLeft.x() + length + figureUnits(1.5), y + 0.95 * font.pixelSize()),
                      number(reference_) + " mm");
     y += lineHeight(font);
   }
@@ -141,19 +138,19 @@ void VectorKeyPainter::paintBar(QPainter& painter, const QRectF& bar) const {
 }
 
 void VectorKeyPainter::paintTicks(QPainter& painter, const QRectF& bar) const {
-  const QFont font = style_.font(numberSize);
+  const QFont font = style_.font(keyNumberSize);
   const AxisScale scale(style_.rangeBegin, style_.rangeEnd, false);
-  const int most = std::max(2, static_cast<int>(bar.width() / units(tickRoom)));
+  const int most = std::max(2, static_cast<int>(bar.width() / figureUnits(tickRoom)));
   painter.setFont(font);
   for (const double value : rangeTicks(style_.rangeBegin, style_.rangeEnd, most)) {
     const double x = bar.left() + scale.fraction(value) * bar.width();
     painter.setPen(QPen(style_.theme.axis, figureUnitsFromPoints(style_.theme.axisWidth)));
-    painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + units(tickLength)));
+    painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + figureUnits(keyTickLength)));
     const QString text = number(value).replace('-', QChar(0x2212));
     painter.setPen(style_.theme.text);
-    painter.drawText(
-        QPointF(x - 0.5 * textWidth(font, text), bar.bottom() + units(tickLength + 0.2) + 0.95 * font.pixelSize()),
-        text);
+    painter.drawText(QPointF(x - 0.5 * textWidth(font, text),
+                             bar.bottom() + figureUnits(keyTickLength + 0.2) + 0.95 * font.pixelSize()),
+                     text);
   }
 }
 

@@ -12,9 +12,9 @@ namespace mien {
 
 namespace {
 
-constexpr double headingSize = 7.5, rowHeadingSize = 6.5, remarkSize = 7.0;  // pt
-constexpr double outlineWidth = 0.7, seamWidth = 0.5;                        // pt
-constexpr double landmarkWidth = 0.6;                                        // pt
+constexpr double vectorHeadingSize = 7.5, rowHeadingSize = 6.5, remarkSize = 7.0;  // pt
+constexpr double outlineWidth = 0.7, seamWidth = 0.5;                              // pt
+constexpr double landmarkWidth = 0.6;                                              // pt
 constexpr double seamShare = 0.30, landmarkShare = 0.60,
                  outlineShare = 0.75;  // of the text's colour in the background's
 constexpr double leastArrow = 0.25;    // mm: what is seen as a shorter arrow is a dot when it moves by more
@@ -26,7 +26,7 @@ QColor mixed(const QColor& a, const QColor& b, double share) {
 }
 
 QFont headingFont(const VectorStyle& style) {
-  return style.font(style.asRow ? rowHeadingSize : headingSize);
+  return style.font(style.asRow ? rowHeadingSize : vectorHeadingSize);
 }
 
 QPen linePen(const QColor& color, double width) {

@@ -9,7 +9,7 @@ namespace mien {
 
 namespace {
 
-constexpr int longestWait = 100;  // ms until the thread looks whether it should stop
+constexpr int stopInterval = 100;  // ms until the thread looks whether it should stop
 
 }  // namespace
 
@@ -27,7 +27,7 @@ void LiveStream::read(int descriptor) {
   FAPLiveInput::State state = FAPLiveInput::State::Open;
   while (!stop_ && state == FAPLiveInput::State::Open) {
     std::vector<FAPFrame> frames;
-    state = input.wait(longestWait, frames);
+    state = input.wait(stopInterval, frames);
     if (frames.empty()) continue;
     const double rate = input.sequence().framesPerSecond;
     const QString name = QString::fromStdString(input.sequence().name);

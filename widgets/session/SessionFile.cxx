@@ -12,7 +12,7 @@ namespace mien {
 
 namespace {
 
-QString tr(const char* text) {
+QString sentence(const char* text) {
   return QCoreApplication::translate("SessionFile", text);
 }
 
@@ -23,14 +23,14 @@ QString SessionFile::read(const QString& fileName, nlohmann::json& session) {
   std::string text;
   std::string fault = readTextFile(fileName.toStdString(), largestSessionText, text, "session");
   if (fault.empty()) fault = readSession(text, session);
-  return fault.empty() ? QString() : tr("%1 cannot be opened: %2").arg(name, QString::fromStdString(fault));
+  return fault.empty() ? QString() : sentence("%1 cannot be opened: %2").arg(name, QString::fromStdString(fault));
 }
 
 QString SessionFile::write(const nlohmann::json& session, const QString& fileName) {
   const QByteArray text = QByteArray::fromStdString(writeSession(session));
   QSaveFile file(fileName);
   if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) return {};
-  return tr("%1 cannot be written: %2; choose a folder that exists and may be written to")
+  return sentence("%1 cannot be written: %2; choose a folder that exists and may be written to")
       .arg(QFileInfo(fileName).fileName(), file.errorString());
 }
 

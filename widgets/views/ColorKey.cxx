@@ -12,7 +12,7 @@ namespace mien {
 
 namespace {
 
-constexpr int side = 12, gap = 12, barHeight = 9, above = 6, tick = 3, below = 4;  // pixels
+constexpr int keySide = 12, keyGap = 12, keyBarHeight = 9, keyAbove = 6, keyTick = 3, keyBelow = 4;  // pixels
 constexpr int leastBar = 80, swatch = 14;
 constexpr int stops = 32;
 
@@ -32,7 +32,7 @@ ColorKey::ColorKey(QWidget* parent) : QWidget(parent) {
 }
 
 QSize ColorKey::sizeHint() const {
-  return {300, above + barHeight + tick + below + fontMetrics().height()};
+  return {300, keyAbove + keyBarHeight + keyTick + keyBelow + fontMetrics().height()};
 }
 
 QSize ColorKey::minimumSizeHint() const {
@@ -65,10 +65,10 @@ void ColorKey::paintScale(QPainter& painter) const {
   const Theme& theme = Theme::current();
   const QFontMetrics metrics = fontMetrics();
   const int room = metrics.horizontalAdvance("-0.0005") / 2;  // numbers stand under the ends of the bar
-  const int most = std::max(0, width() - 2 * side - gap - leastBar - 2 * room);
+  const int most = std::max(0, width() - 2 * keySide - keyGap - leastBar - 2 * room);
   const QString title = metrics.elidedText(scale_.title, Qt::ElideRight, most);
-  const int left = side + metrics.horizontalAdvance(title) + gap + room;
-  const QRectF bar(left, above, std::max(leastBar, width() - side - room - left), barHeight);
+  const int left = keySide + metrics.horizontalAdvance(title) + keyGap + room;
+  const QRectF bar(left, keyAbove, std::max(leastBar, width() - keySide - room - left), keyBarHeight);
   QLinearGradient colors(bar.topLeft(), bar.topRight());
   for (int i = 0; i <= stops; ++i)
     colors.setColorAt(i / double(stops), ColorLegend::colorAt(scale_.colors, i / double(stops)));
@@ -76,20 +76,21 @@ void ColorKey::paintScale(QPainter& painter) const {
   painter.setBrush(colors);
   painter.drawRect(bar);
   painter.setPen(theme.text);
-  painter.drawText(QPointF(side, above + barHeight / 2.0 + metrics.ascent() / 2.0 - 1.0), title);
+  painter.drawText(QPointF(keySide, keyAbove + keyBarHeight / 2.0 + metrics.ascent() / 2.0 - 1.0), title);
   for (double share : {0.0, 0.5, 1.0}) {
     const double x = bar.left() + share * bar.width();
     const QString text = QString::number(scale_.begin + share * (scale_.end - scale_.begin), 'g', 3);
-    painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + tick));
-    painter.drawText(QPointF(x - metrics.horizontalAdvance(text) / 2.0, bar.bottom() + tick + metrics.ascent()), text);
+    painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + keyTick));
+    painter.drawText(QPointF(x - metrics.horizontalAdvance(text) / 2.0, bar.bottom() + keyTick + metrics.ascent()),
+                     text);
   }
 }
 
 void ColorKey::paintPatches(QPainter& painter) const {
   const QFontMetrics metrics = fontMetrics();
-  const double step = (width() - 2.0 * side) / FaceLayout::patchCount, middle = height() / 2.0;
+  const double step = (width() - 2.0 * keySide) / FaceLayout::patchCount, middle = height() / 2.0;
   for (int i = 0; i < FaceLayout::patchCount; ++i) {
-    const double left = side + i * step;
+    const double left = keySide + i * step;
     painter.setPen(QPen(Theme::current().line, 1.0));
     painter.setBrush(QColor(static_cast<QRgb>(patchColors[i])));
     painter.drawRect(QRectF(left, middle - swatch / 2.0, swatch, swatch));

@@ -11,7 +11,7 @@ namespace mien {
 
 namespace {
 
-constexpr int side = 12, gap = 12, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
+constexpr int side = 12, scaleGap = 12, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
 constexpr int shortestBar = 60, narrowBelow = 300;
 constexpr double point = 8.0;  // pixels, length of the pointed end
 
@@ -43,7 +43,7 @@ QSize ColorScale::sizeHint() const {
 }
 
 QSize ColorScale::minimumSizeHint() const {
-  return {side + titleWidth(true) + gap + shortestBar, sizeHint().height()};
+  return {side + titleWidth(true) + scaleGap + shortestBar, sizeHint().height()};
 }
 
 bool ColorScale::isNarrow() const {
@@ -84,7 +84,7 @@ void ColorScale::paintEvent(QPaintEvent*) {
   const QFontMetrics metrics = fontMetrics();
   const QString unit = tr(" mm");
   const double end = view_->rangeEnd();
-  const int before = side + titleWidth(isNarrow()) + gap;
+  const int before = side + titleWidth(isNarrow()) + scaleGap;
   const int after = std::max<int>(metrics.horizontalAdvance(numberText(end)) / 2 + metrics.horizontalAdvance(unit),
                                   static_cast<int>(point)) +
                     side / 2;

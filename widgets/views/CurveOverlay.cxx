@@ -28,11 +28,11 @@ namespace mien {
 
 namespace {
 
-constexpr float lineWidth = 1.6f;        // pixels
-constexpr double towardsCamera = -60.0;  // depth units by which curves lie before the skin that they are on
-const QColor lineColor("#14181d");       // on skin and on colours that say something, in both themes
-constexpr int fontSize = 9;              // pt
-constexpr double leader = 16.0, gap = 3.0, nameHeight = 12.0, margin = 8.0,
+constexpr float namedWidth = 1.6f;             // pixels
+constexpr double curvesTowardsCamera = -60.0;  // depth units by which curves lie before the skin that they are on
+const QColor lineColor("#14181d");             // on skin and on colours that say something, in both themes
+constexpr int nameFontSize = 9;                // pt
+constexpr double leader = 16.0, nameGap = 3.0, nameHeight = 12.0, margin = 8.0,
                  nameWidth = 28.0;  // pixels of the screen, not of the device
 
 bool isRight(int curve) {
@@ -58,10 +58,10 @@ void CurveOverlay::addCurves() {
   curveMapper_->SetInputConnection(model_->pipeline().shownCurves()->GetOutputPort());
   curveMapper_->ScalarVisibilityOff();
   curveMapper_->SetResolveCoincidentTopologyToPolygonOffset();
-  curveMapper_->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, towardsCamera);
+  curveMapper_->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, curvesTowardsCamera);
   curves_->SetMapper(curveMapper_);
   curves_->GetProperty()->LightingOff();
-  curves_->GetProperty()->SetLineWidth(lineWidth);
+  curves_->GetProperty()->SetLineWidth(namedWidth);
   curves_->GetProperty()->SetColor(lineColor.redF(), lineColor.greenF(), lineColor.blueF());
   curves_->VisibilityOff();
   view_->renderer()->AddActor(curves_);
@@ -75,7 +75,7 @@ void CurveOverlay::addNames() {
     vtkTextProperty* text = names_[i]->GetTextProperty();
     text->SetVerticalJustificationToCentered();
     isRight(static_cast<int>(i)) ? text->SetJustificationToLeft() : text->SetJustificationToRight();
-    text->SetFontSize(fontSize);
+    text->SetFontSize(nameFontSize);
     names_[i]->SetInput(FaceLayout::curveName(static_cast<int>(i)).c_str());
     names_[i]->VisibilityOff();
     view_->renderer()->AddActor2D(names_[i]);
@@ -160,7 +160,7 @@ void CurveOverlay::placeSide(bool right, const Places& places) {
     const double x = std::clamp(wanted, edge, std::max(edge, view_->renderer()->GetSize()[0] - edge));
     leaderPoints_->SetPoint(2 * curve, places[curve][0], places[curve][1], 0.0);
     leaderPoints_->SetPoint(2 * curve + 1, x, levels[i], 0.0);
-    names_[curve]->SetDisplayPosition(std::lround(x + side * pixel * gap), std::lround(levels[i]));
+    names_[curve]->SetDisplayPosition(std::lround(x + side * pixel * nameGap), std::lround(levels[i]));
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include "CurveMovement.h"
 #include "FaceModel.h"
+#include "PropertyColor.h"
 #include "RoundedUp.h"
 #include "Theme.h"
 
@@ -22,10 +23,6 @@ namespace {
 constexpr float lineWidth = 2.0f, pointSize = 5.0f, neutralWidth = 1.0f;  // pixels
 constexpr int colorSteps = 256;
 constexpr double skinBehind = 60.0;  // depth units by which the skin lies behind the curves on it
-
-void setColor(vtkProperty* property, const QColor& color) {
-  property->SetColor(color.redF(), color.greenF(), color.blueF());
-}
 
 constexpr double leastRange = 2.0;  // mm: a twitch does not look like a grin
 

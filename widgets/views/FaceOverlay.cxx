@@ -16,7 +16,7 @@ namespace mien {
 
 namespace {
 
-constexpr float lineWidth = 5.0f;        // pixels
+constexpr float chosenWidth = 5.0f;      // pixels
 constexpr double towardsCamera = -60.0;  // depth units by which lines lie before the skin that they are on
 
 void setMatt(vtkActor* actor) {
@@ -37,7 +37,7 @@ FaceOverlay::FaceOverlay(FaceView* view, const QString& dock, QObject* parent)
   setMatt(zebra_);
   addZebraShader();
   lines_->GetProperty()->LightingOff();
-  lines_->GetProperty()->SetLineWidth(lineWidth);
+  lines_->GetProperty()->SetLineWidth(chosenWidth);
   lineMapper_->SetResolveCoincidentTopologyToPolygonOffset();
   lineMapper_->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, towardsCamera);
   useTheme();

@@ -10,7 +10,7 @@ namespace mien {
 namespace {
 
 constexpr int oversampling = 2;  // pixels of the drawing per pixel of the picture, for smooth edges
-constexpr double margin = 1.06;
+constexpr double thumbnailMargin = 1.06;
 
 /// Triangles with a depth and a light at each corner, nearest ones in front.
 class DepthPainter {
@@ -80,7 +80,7 @@ void ThumbnailStyle::frame(const FaceCurves& face) {
 QImage faceThumbnail(const FaceSample& sample, const ThumbnailStyle& style) {
   const QSize drawn = style.size * oversampling;
   DepthPainter painter(drawn, style.skin, style.background);
-  const Eigen::Vector2d extent = margin * (style.high - style.low), middle = 0.5 * (style.low + style.high);
+  const Eigen::Vector2d extent = thumbnailMargin * (style.high - style.low), middle = 0.5 * (style.low + style.high);
   const double scale = std::min(drawn.width() / extent.x(), drawn.height() / extent.y());
   const int columns = sample.columnCount();
   std::vector<DepthPainter::Corner> corners;

@@ -13,18 +13,15 @@
 #include "ColorLegend.h"
 #include "FaceArray.h"
 #include "FaceModel.h"
+#include "PropertyColor.h"
 #include "Theme.h"
 
 namespace mien {
 
 namespace {
 
-constexpr float meshWidth = 1.0f, pointSize = 3.0f;  // pixels
-const QColor mouthInside("#5c2421");                 // inside of a face with a photograph, which does not show it
-
-void setColor(vtkProperty* property, const QColor& color) {
-  property->SetColor(color.redF(), color.greenF(), color.blueF());
-}
+constexpr float meshWidth = 1.0f, shownPointSize = 3.0f;  // pixels
+const QColor mouthInside("#5c2421");                      // inside of a face with a photograph, which does not show it
 
 void setSkin(vtkProperty* property) {
   property->SetInterpolationToPhong();
@@ -95,7 +92,7 @@ void FaceView::dressLines(vtkProperty* side) const {
   side->SetRepresentation(mesh_ == Mesh::Points ? VTK_POINTS : mesh_ == Mesh::Wireframe ? VTK_WIREFRAME : VTK_SURFACE);
   side->SetLighting(!lines);
   side->SetLineWidth(meshWidth);
-  side->SetPointSize(pointSize);
+  side->SetPointSize(shownPointSize);
   side->SetEdgeVisibility(mesh_ == Mesh::Both);
   side->SetEdgeColor(theme.mesh.redF(), theme.mesh.greenF(), theme.mesh.blueF());
 }

@@ -29,7 +29,7 @@ namespace {
 
 constexpr double keyTurn = 5.0, keyZoom = 1.1;  // degrees and factor of a key
 constexpr double viewAngle = 14.0;              // degrees: a portrait lens, nearly parallel
-constexpr double margin = 0.075;                // of the face's extent, around it at rest; its near parts look larger
+constexpr double viewMargin = 0.075;            // of the face's extent, around it at rest; its near parts look larger
 constexpr double thinMargin = 0.03;             // around all that it reaches
 constexpr double mostReach = 0.6;               // values beyond all sense must not make a face a dot
 
@@ -90,7 +90,7 @@ Outline outlineFrom(RenderView::Side side, const FaceModel& model) {
   for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i) add(axes, curves->GetPoint(i), rest);
   for (const MotionReach::Point& point : model.reach().points()) add(axes, point.data(), reach);
   for (int axis : {0, 1}) {
-    const double size = rest.size(axis), room = margin * size, most = mostReach * size;
+    const double size = rest.size(axis), room = viewMargin * size, most = mostReach * size;
     const double below = rest.low[axis] - reach.low[axis] + thinMargin * size;
     const double beyond = reach.high[axis] - rest.high[axis] + thinMargin * size;
     rest.low[axis] -= std::clamp(below, room, most);

@@ -15,13 +15,13 @@ namespace mien {
 
 namespace {
 
-constexpr double reach = 12.0;                         // pixels from a point, for the mouse
+constexpr double graspReach = 12.0;                    // pixels from a point, for the mouse
 constexpr double zoomStep = 1.25, largestZoom = 40.0;  // a notch of the wheel
 constexpr double notch = 120.0;                        // of a wheel, as Qt counts
-constexpr double pointSize = 3.5, smallPointSize = 2.0, chosenSize = 6.0;
+constexpr double warpPointSize = 3.5, smallPointSize = 2.0, chosenSize = 6.0;
 constexpr int manyPoints = 100;
 constexpr double step = 1.0, largeStep = 10.0;  // pixels of the photograph, by an arrow key
-const QColor lineColor("#ffd23f"), edgeColor("#1b2027"), chosenColor("#ff6a2b");
+const QColor meshLineColor("#ffd23f"), edgeColor("#1b2027"), chosenColor("#ff6a2b");
 
 }  // namespace
 
@@ -99,7 +99,7 @@ void WarpMeshView::paintEvent(QPaintEvent*) {
 void WarpMeshView::drawMesh(QPainter& painter) const {
   const bool fine = mesh_.rows() * mesh_.columns() > manyPoints;
   for (const bool edge : {true, false}) {
-    QColor color = edge ? edgeColor : flagged_ ? Theme::current().error : lineColor;
+    QColor color = edge ? edgeColor : flagged_ ? Theme::current().error : meshLineColor;
     color.setAlphaF(edge ? 0.35 : 0.9);
     painter.setPen(QPen(color, (fine ? 0.8 : 1.2) + (edge ? 1.6 : 0.0)));
     for (int i = 0; i < mesh_.rows(); ++i)
@@ -111,9 +111,9 @@ void WarpMeshView::drawMesh(QPainter& painter) const {
 }
 
 void WarpMeshView::drawPoints(QPainter& painter) const {
-  const double size = mesh_.rows() * mesh_.columns() > manyPoints ? smallPointSize : pointSize;
+  const double size = mesh_.rows() * mesh_.columns() > manyPoints ? smallPointSize : warpPointSize;
   painter.setPen(QPen(edgeColor, 1.0));
-  painter.setBrush(flagged_ ? Theme::current().error : lineColor);
+  painter.setBrush(flagged_ ? Theme::current().error : meshLineColor);
   for (int i = 0; i < mesh_.rows(); ++i)
     for (int j = 0; j < mesh_.columns(); ++j) painter.drawEllipse(pixelOf({i, j}), size, size);
   if (chosen_.row < 0) return;
@@ -126,7 +126,7 @@ void WarpMeshView::mousePressEvent(QMouseEvent* event) {
   if (isEmpty()) return;
   const QTransform transform = toWidget();
   const QPointF place = transform.inverted().map(event->localPos());
-  const MeshNode node = nearestNode(mesh_, place.x(), place.y(), reach / transform.m11());
+  const MeshNode node = nearestNode(mesh_, place.x(), place.y(), graspReach / transform.m11());
   dragging_ = node.row >= 0 && event->button() == Qt::LeftButton;
   panning_ = !dragging_;
   grip_ = dragging_ ? pixelOf(node) - event->localPos() : event->localPos();

@@ -21,7 +21,7 @@ namespace mien {
 
 namespace {
 
-constexpr int startWidth = 620, startHeight = 460;  // pixels
+constexpr int aboutWidth = 620, aboutHeight = 460;  // pixels
 
 QPlainTextEdit* readOnly(const QString& name, const std::string& text, QWidget* parent) {
   auto* made = new QPlainTextEdit(QString::fromStdString(text), parent);
@@ -36,7 +36,7 @@ QPlainTextEdit* readOnly(const QString& name, const std::string& text, QWidget* 
 AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent), pages_(new QTabWidget(this)) {
   setObjectName("aboutDialog");
   setWindowTitle(tr("About Mien Studio"));
-  resize(startWidth, startHeight);
+  resize(aboutWidth, aboutHeight);
   pages_->setObjectName("aboutPages");
   pages_->setProperty(notInSession, true);
   auto* title = new QLabel(tr("<h2>Mien Studio</h2><p>A face of nine PDE surface patches between 29 boundary curves, "

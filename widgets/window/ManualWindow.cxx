@@ -18,7 +18,7 @@ namespace mien {
 
 namespace {
 
-constexpr int startWidth = 980, startHeight = 720, contentsWidth = 210;  // pixels
+constexpr int manualWidth = 980, manualHeight = 720, contentsWidth = 210;  // pixels
 
 /// Names in @ stand for colours of the theme.
 const char* const styleText = R"(
@@ -49,7 +49,7 @@ ManualWindow::ManualWindow(QWidget* parent)
       search_(new QLineEdit(this)) {
   setObjectName("manualWindow");
   setWindowTitle(tr("Manual"));
-  resize(startWidth, startHeight);
+  resize(manualWidth, manualHeight);
   page_->setObjectName("manualPage");
   page_->setOpenExternalLinks(true);
   page_->setFrameShape(QFrame::NoFrame);
@@ -57,7 +57,7 @@ ManualWindow::ManualWindow(QWidget* parent)
   both->addWidget(side());
   both->addWidget(page_);
   both->setStretchFactor(1, 1);
-  both->setSizes({contentsWidth, startWidth - contentsWidth});
+  both->setSizes({contentsWidth, manualWidth - contentsWidth});
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 8, 8, 8);
   column->addWidget(both);

@@ -15,8 +15,8 @@ namespace mien {
 
 namespace {
 
-constexpr int startWidth = 760, startHeight = 420, detailsHeight = 100;  // pixels
-enum Column { Time, Kind, Sentence };
+constexpr int logWidth = 760, logHeight = 420, logDetailsHeight = 100;  // pixels
+enum LogColumn { Time, Kind, Sentence };
 
 }  // namespace
 
@@ -24,7 +24,7 @@ MessageLog::MessageLog(const std::vector<Message>& messages, QWidget* parent)
     : QDialog(parent), list_(new QTreeWidget(this)), details_(new QPlainTextEdit(this)) {
   setObjectName("messageLog");
   setWindowTitle(tr("Messages"));
-  resize(startWidth, startHeight);
+  resize(logWidth, logHeight);
   list_->setObjectName("messageLogList");
   list_->setHeaderLabels({tr("Time"), tr("Kind"), tr("Message")});
   list_->setRootIsDecorated(false);
@@ -33,7 +33,7 @@ MessageLog::MessageLog(const std::vector<Message>& messages, QWidget* parent)
   list_->header()->setStretchLastSection(true);
   details_->setObjectName("messageLogDetails");
   details_->setReadOnly(true);
-  details_->setFixedHeight(detailsHeight);
+  details_->setFixedHeight(logDetailsHeight);
   details_->setPlaceholderText(tr("Choose a message to read all of it."));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   QPushButton* copied = buttons->addButton(tr("&Copy all"), QDialogButtonBox::ActionRole);

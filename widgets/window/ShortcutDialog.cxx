@@ -14,8 +14,8 @@ namespace mien {
 
 namespace {
 
-constexpr int startWidth = 640, startHeight = 620;  // pixels
-enum Column { Keys, Command, Place };
+constexpr int shortcutsWidth = 640, shortcutsHeight = 620;  // pixels
+enum ShortcutColumn { Keys, Command, Place };
 
 }  // namespace
 
@@ -23,7 +23,7 @@ ShortcutDialog::ShortcutDialog(const QWidget& window, QWidget* parent)
     : QDialog(parent), search_(new QLineEdit(this)), table_(new QTableWidget(this)) {
   setObjectName("shortcutDialog");
   setWindowTitle(tr("Keyboard shortcuts"));
-  resize(startWidth, startHeight);
+  resize(shortcutsWidth, shortcutsHeight);
   search_->setObjectName("shortcutSearch");
   search_->setProperty(notInSession, true);
   search_->setPlaceholderText(tr("Find a key, a command or a dock"));

@@ -46,7 +46,7 @@ namespace mien {
 
 namespace {
 
-constexpr int startWidth = 1280, startHeight = 800;  // pixels
+constexpr int studioWidth = 1280, studioHeight = 800;  // pixels
 
 QStringList droppedFiles(const QMimeData* data) {
   QStringList names;
@@ -96,7 +96,7 @@ StudioWindow::StudioWindow()
   connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
   connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
   connect(model_, &FaceModel::recovered, messages_, &MessageBar::clearError);
-  resize(QSize(startWidth, startHeight).boundedTo(screen()->availableSize()));
+  resize(QSize(studioWidth, studioHeight).boundedTo(screen()->availableSize()));
   WindowLayout::restore(*this);
   workspaces_->restore();
   keeper_->begin();

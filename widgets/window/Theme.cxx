@@ -91,7 +91,7 @@ QPalette palette(const Theme& theme) {
 }
 
 /// Names in @ stand for colours of the theme.
-const char* const styleText = R"(
+const char* const themeStyle = R"(
 QMainWindow, QDialog { background: @window; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QMainWindow::separator { background: @window; width: 6px; height: 6px; }
@@ -134,7 +134,7 @@ QFrame#messageBar[severity="note"], QFrame#recoveryBar { border-left: 4px solid 
 )";
 
 QString styleSheet(const Theme& theme) {
-  QString text = styleText;
+  QString text = themeStyle;
   text.replace("@accentText", theme.accentText.name()).replace("@accent", theme.accent.name());
   text.replace("@window", theme.window.name()).replace("@panel", theme.panel.name());
   text.replace("@text", theme.text.name()).replace("@faint", theme.faintText.name());

@@ -16,7 +16,7 @@ namespace mien {
 namespace {
 
 constexpr const char* seenKey = "window/tourSeen";
-constexpr int mostWidth = 330, padding = 14, gap = 10, radius = 7;  // pixels
+constexpr int mostTourWidth = 330, padding = 14, tourGap = 10, radius = 7;  // pixels
 constexpr int titleGap = 4;
 constexpr int veil = 150;  // of 255, over what is not spoken of
 
@@ -87,14 +87,14 @@ int Tour::textHeight(const Stop& stop, int width) const {
 QRect Tour::calloutOf(int stop) const {
   const QRect target = targetOf(stop);
   if (target.isEmpty()) return {};
-  const bool isLow = target.height() < textHeight(stops_[stop], mostWidth) + 2 * padding;
-  const int width = isLow ? mostWidth : std::min(mostWidth, target.width() - 2 * gap - 2 * padding);
+  const bool isLow = target.height() < textHeight(stops_[stop], mostTourWidth) + 2 * padding;
+  const int width = isLow ? mostTourWidth : std::min(mostTourWidth, target.width() - 2 * tourGap - 2 * padding);
   QRect box(0, 0, width + 2 * padding, textHeight(stops_[stop], width) + 2 * padding);
   box.moveCenter(target.center());
-  if (qobject_cast<const QDockWidget*>(stops_[stop].target)) box.moveBottom(target.bottom() - gap);
-  if (isLow) box.moveTop(target.bottom() + gap);
-  if (box.bottom() > height() - gap) box.moveBottom(target.top() - gap);
-  box.moveLeft(std::clamp(box.left(), gap, std::max(gap, this->width() - gap - box.width())));
+  if (qobject_cast<const QDockWidget*>(stops_[stop].target)) box.moveBottom(target.bottom() - tourGap);
+  if (isLow) box.moveTop(target.bottom() + tourGap);
+  if (box.bottom() > height() - tourGap) box.moveBottom(target.top() - tourGap);
+  box.moveLeft(std::clamp(box.left(), tourGap, std::max(tourGap, this->width() - tourGap - box.width())));
   return box;
 }
 
@@ -129,7 +129,7 @@ void Tour::paintHint(QPainter& painter) const {
   const QString text = tr("A click or Esc begins. Help > Tour shows this again.");
   QRect box(0, 0, fontMetrics().horizontalAdvance(text) + 2 * padding, fontMetrics().height() + padding);
   box.moveCenter(QPoint(width() / 2, 0));
-  box.moveTop(gap);
+  box.moveTop(tourGap);
   painter.setPen(Qt::NoPen);
   painter.setBrush(Theme::current().accent);
   painter.drawRoundedRect(box, box.height() / 2.0, box.height() / 2.0);
