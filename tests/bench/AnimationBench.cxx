@@ -4,14 +4,12 @@
 #include <cmath>
 #include <cstring>
 
-#include "AnimationData.h"
-#include "BoundaryCurveData.h"
 #include "FAPParser.h"
 #include "FAPTable.h"
 #include "FAPWriter.h"
 #include "FaceAnimator.h"
-#include "FaceSurface.h"
-#include "PDESurface.h"
+#include "FrameSurface.h"
+#include "MovingFace.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkNew.h"
@@ -24,32 +22,6 @@ using namespace mien;
 
 namespace {
 
-constexpr int rows = 56, columns = 40;
-
-FaceCurves genericFace() {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  reader->Update();
-  FaceCurves face;
-  readFaceCurves(reader->GetOutput(), face);
-  return face;
-}
-
-FaceAnimator genericAnimator() {
-  AnimationTable table;
-  readAnimationTable("", table);
-  FaceAnimator animator;
-  animator.bind(genericFace(), table);
-  return animator;
-}
-
-/// The frames of a long movement: a few FAPs of every region, never the same twice.
-FAPFrame movingFrame(int index) {
-  FAPFrame frame;
-  for (const int fap : {19, 20, 31, 32, 33, 34, 41, 42, 51, 52, 53, 54, 59, 60})
-    frame.setValue(fap, 120.0 * std::sin(0.1 * index + fap));
-  return frame;
-}
-
 void frameToCurves(benchmark::State& state) {
   FaceAnimator animator = genericAnimator();
   int index = 0;
@@ -58,22 +30,15 @@ void frameToCurves(benchmark::State& state) {
 
 void frameToSurface(benchmark::State& state, const std::string& scheme) {
   FaceAnimator animator = genericAnimator();
-  FaceSurfaceOptions options;
-  options.scheme = scheme;
-  const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(columns + 1, 0.0, 2.0 * M_PI);
-  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true),
-                            FaceLayout::curveCount, v);
-  RowMajor<float> points(rows, v.size() * 3), normals = points;
-  const auto grid = [](RowMajor<float>& m) { return PDESurface<float>::Grid(m.data(), m.rows(), m.cols()); };
+  FrameSurface surface(scheme);
   int index = 0;
   for (auto _ : state) {
-    surface.setCurves(animator.animate(movingFrame(index++)));
-    surface.evaluateWithNormals(0, grid(points), grid(normals));
+    surface.update(animator.animate(movingFrame(index++)));
     benchmark::ClobberMemory();
   }
 }
 
-/// A file of 1,000 frames to curves and to a surface of 56 x 40 with normals: under 0.25 s in one thread is asked for.
+/// A file of 1,000 frames to curves and to a surface of 56 x 40 with normals: under 0.1 s in one thread is asked for.
 void thousandFrames(benchmark::State& state, const std::string& scheme) {
   FAPSequence sequence;
   for (int index = 0; index < 1000; ++index) {
@@ -87,19 +52,12 @@ void thousandFrames(benchmark::State& state, const std::string& scheme) {
   std::string text;
   if (!writeFAP(sequence, text).empty()) return state.SkipWithError("the file cannot be written");
   FaceAnimator animator = genericAnimator();
-  const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(columns + 1, 0.0, 2.0 * M_PI);
-  FaceSurfaceOptions options;
-  options.scheme = scheme;
-  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true),
-                            FaceLayout::curveCount, v);
-  RowMajor<float> points(rows, v.size() * 3), normals = points;
-  const auto grid = [](RowMajor<float>& m) { return PDESurface<float>::Grid(m.data(), m.rows(), m.cols()); };
+  FrameSurface surface(scheme);
   for (auto _ : state) {
     FAPSequence played;
     if (parseFAP(text, played)) return state.SkipWithError("the file cannot be read");
     for (const FAPFrame& frame : played.frames) {
-      surface.setCurves(animator.animate(frame));
-      surface.evaluateWithNormals(0, grid(points), grid(normals));
+      surface.update(animator.animate(frame));
       benchmark::ClobberMemory();
     }
   }
@@ -122,7 +80,7 @@ void frameThroughPipeline(benchmark::State& state, const std::string& scheme) {
 }
 
 void memcpyOfOutput(benchmark::State& state) {
-  const size_t bytes = 2 * 3 * sizeof(float) * rows * (columns + 1);
+  const size_t bytes = 2 * 3 * sizeof(float) * FrameSurface::usualRows * (FrameSurface::usualColumns + 1);
   std::vector<char> from(bytes, 1), to(bytes, 2);
   for (auto _ : state) {
     std::memcpy(to.data(), from.data(), bytes);

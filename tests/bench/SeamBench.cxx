@@ -4,9 +4,9 @@
 #include <cstring>
 
 #include "BoundaryCurveData.h"
+#include "FaceFiles.h"
 #include "FaceSeams.h"
 #include "ModeSpectrum.h"
-#include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
 #include "vtkPatchContinuityFilter.h"
 #include "vtkPoints.h"
@@ -15,14 +15,6 @@
 using namespace mien;
 
 namespace {
-
-FaceCurves genericFace() {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  reader->Update();
-  FaceCurves face;
-  readFaceCurves(reader->GetOutput(), face);
-  return face;
-}
 
 FaceSurfaceOptions withScheme(const std::string& scheme) {
   FaceSurfaceOptions options;

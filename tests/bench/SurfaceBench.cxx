@@ -1,13 +1,11 @@
 /// From curves to surfaces, beside memcpy of the same output in the same run.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <cstring>
 
 #include "BoundaryCurveData.h"
-#include "FaceSurface.h"
-#include "PDESurface.h"
-#include "vtkBoundaryCurveReader.h"
+#include "FaceFiles.h"
+#include "FrameSurface.h"
 #include "vtkNew.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPoints.h"
@@ -19,28 +17,12 @@ using namespace mien;
 
 namespace {
 
-FaceCurves genericFace() {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  reader->Update();
-  FaceCurves face;
-  readFaceCurves(reader->GetOutput(), face);
-  return face;
-}
-
 /// Curves to points and normals in the core, one thread.
 void coreSurface(benchmark::State& state, const std::string& scheme) {
-  const int rows = static_cast<int>(state.range(0)), columns = static_cast<int>(state.range(1));
   const FaceCurves face = genericFace();
-  FaceSurfaceOptions options;
-  options.scheme = scheme;
-  const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(columns + 1, 0.0, 2.0 * M_PI);
-  PDESurface<float> surface(facePieces(options, RowLayout(rows, false)), HarmonicSplit(40, 5, true),
-                            FaceLayout::curveCount, v);
-  RowMajor<float> points(rows, v.size() * 3), normals(rows, v.size() * 3);
-  using Grid = PDESurface<float>::Grid;
+  FrameSurface surface(scheme, static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   for (auto _ : state) {
-    surface.setCurves(face.curves);
-    surface.evaluateWithNormals(0, Grid(points.data(), rows, points.cols()), Grid(normals.data(), rows, points.cols()));
+    surface.update(face.curves);
     benchmark::ClobberMemory();
   }
 }
@@ -63,6 +45,7 @@ void pipelineSurface(benchmark::State& state) {
   writeFaceCurves(face, curves);
   vtkNew<vtkPDEFaceFilter> filter;
   filter->SetInputData(curves);
+  filter->SetScheme("four-curve");
   filter->SetResolution(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   for (auto _ : state) {
     curves->GetPoints()->Modified();

@@ -1,25 +1,14 @@
 /// Sweeps over the smoothing parameter, one thread, beside what making and evaluating the same surfaces alone takes.
 #include <benchmark/benchmark.h>
 
-#include "BoundaryCurveData.h"
+#include "FaceFiles.h"
 #include "FaceSample.h"
 #include "NumberRange.h"
 #include "SmoothingSweep.h"
-#include "vtkBoundaryCurveReader.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
 
 using namespace mien;
 
 namespace {
-
-FaceCurves genericFace() {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  reader->Update();
-  FaceCurves face;
-  readFaceCurves(reader->GetOutput(), face);
-  return face;
-}
 
 SmoothingSweepOptions sweepOf(const std::string& scheme) {
   SmoothingSweepOptions options;
