@@ -1,8 +1,11 @@
-/// Streams a face surface that is larger than memory through pieces and says how much memory that took.
+/// Streams a face surface that is larger than memory through pieces and says how much memory that took; in one piece,
+/// how much a surface takes beside its arrays.
 ///
-/// usage: stream_surface ROWS COLUMNS PIECES MEGABYTES; exit code 1 when points are missing or more memory was in use.
+/// usage: stream_surface ROWS COLUMNS PIECES MEGABYTES [SCHEME]; exit code 1 when points are missing or more memory was
+/// in use.
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -55,19 +58,26 @@ double peakMegabytes() {
 }  // namespace
 
 int main(int count, char** arguments) {
-  if (count != 5) return std::fprintf(stderr, "usage: stream_surface ROWS COLUMNS PIECES MEGABYTES\n"), 2;
+  if (count < 5) return std::fprintf(stderr, "usage: stream_surface ROWS COLUMNS PIECES MEGABYTES [SCHEME]\n"), 2;
   const int rows = std::atoi(arguments[1]), columns = std::atoi(arguments[2]), pieces = std::atoi(arguments[3]);
   vtkNew<vtkBoundaryCurveReader> generic;
   vtkNew<vtkPDEFaceFilter> face;
   face->SetInputConnection(generic->GetOutputPort());
+  if (count > 5) face->SetScheme(arguments[5]);
+  face->Update();  // what the libraries need at first is there before anything is measured
   face->SetResolution(rows, columns);
   Sums sums;
+  double arrays = 0.0;  // MB of the largest piece
+  const double before = peakMegabytes();
   for (int piece = 0; piece < pieces; ++piece) {
     face->UpdatePiece(piece, pieces, 0);
     addPiece(face->GetOutput(), sums);
+    arrays = std::max(arrays, face->GetOutput()->GetActualMemorySize() / 1024.0);
   }
   std::printf("%lld cells, %lld of them hidden, %.3f mm^2, at most %.0f MB in use\n", sums.cells, sums.hidden,
               sums.area, peakMegabytes());
+  std::printf("%.1f MB of it before the surface; the rest is %.2f times the %.1f MB of a piece's arrays\n", before,
+              (peakMegabytes() - before) / arrays, arrays);
   const bool all = sums.cells == static_cast<long long>(rows - 1) * columns;
   return all && peakMegabytes() <= std::atof(arguments[4]) ? 0 : 1;
 }

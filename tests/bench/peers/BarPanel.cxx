@@ -26,7 +26,7 @@ class BarDrawing {
       most = std::max({most, time.milliseconds, time.target});
     }
     plot_ = place.adjusted(words + figureUnits(gap), 0.0, -numbers - figureUnits(gap), -figureUnits(axisRow));
-    scale_ = AxisScale(std::pow(10.0, std::floor(std::log10(least) - 0.3)), std::pow(10.0, std::ceil(std::log10(most))),
+    scale_ = AxisScale(std::pow(10.0, std::floor(std::log10(least / 1.2))), std::pow(10.0, std::ceil(std::log10(most))),
                        true);
   }
 
@@ -59,7 +59,7 @@ class BarDrawing {
     const double height = figureUnits(0.6 * barRow), y = top + figureUnits(0.2 * barRow);
     const double baseline = y + 0.5 * height + 0.36 * font_.pixelSize();
     painter_.fillRect(QRectF(QPointF(plot_.left(), y), QPointF(x(time.milliseconds), y + height)),
-                      theme_.series[time.own ? 0 : 1]);
+                      theme_.series[time.own ? 0 : 4]);
     if (time.target > 0.0) {
       painter_.setPen(QPen(theme_.text, figureUnitsFromPoints(1.2)));
       const double reach = figureUnits(0.1 * barRow);
