@@ -23,8 +23,8 @@ TEST(FaceArguments, SayWhatDiffersFromTheStart) {
   state.visemes = {{"p b m", 0.25}};
   state.deformation = {"joy", -0.5, false};
   EXPECT_EQ(mien::faceArguments(state),
-            (Words{"--scheme", "tangent", "-a", "0.1", "--resolution", "56x40", "--fap", "talk.fap", "--index", "100000",
-                   "--viseme", "p_b_m:0.25", "--set", "31=100.5,53=-20", "--fdt", "joy:-0.5", "--fdt-hard"}));
+            (Words{"--scheme", "tangent", "-a", "0.1", "--resolution", "56x40", "--fap", "talk.fap", "--index",
+                   "100000", "--viseme", "p_b_m:0.25", "--set", "31=100.5,53=-20", "--fdt", "joy:-0.5", "--fdt-hard"}));
 }
 
 TEST(FaceArguments, OfWhatNoOptionSaysAreTheWholeState) {

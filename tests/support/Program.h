@@ -47,4 +47,3 @@ inline Outcome runMien(const std::vector<std::string>& arguments) {
   outcome.errors = readTextFile(errorFile);
   return outcome;
 }
-

@@ -1,11 +1,10 @@
-#include "LiveUpdate.h"
-
 #include <gtest/gtest.h>
 
 #include <QTest>
 #include <QWidget>
 
 #include "FaceModel.h"
+#include "LiveUpdate.h"
 
 namespace {
 

@@ -29,6 +29,7 @@ namespace {
 
 constexpr double reach = 10.0;        // pixels from a point, for the mouse
 constexpr double markRadius = 2.2;    // mm
+constexpr double edgeWidth = 0.01;    // mm: a line between two polygons hits either
 constexpr double onSkin = 6.0;        // mm by which a point may lie below the mesh, which cuts corners of its curves
 constexpr double labelOffset = 12.0;  // pixels
 constexpr int labelSize = 13;
@@ -118,7 +119,7 @@ bool CurveHandle::isHidden(const double point[3]) {
   int part;
   vtkIdType cell;
   view_->camera()->GetPosition(eye);
-  if (skin_->IntersectWithLine(eye, point, 0.0, t, hit, shares, part, cell) == 0) return false;
+  if (skin_->IntersectWithLine(eye, point, edgeWidth, t, hit, shares, part, cell) == 0) return false;
   return std::sqrt(vtkMath::Distance2BetweenPoints(hit, point)) > onSkin;
 }
 

@@ -16,8 +16,8 @@ struct SceneStyle {
   ViewDirection view;
   Mesh mesh = Mesh::Shaded;
   bool neutralFrame = true;  ///< whether the neutral face fills the picture, for as long as the face stays within it
-  std::string colorBy;  ///< name of a point or cell array; empty: the plain material
-  bool curves = false;  ///< whether the boundary curves lie over the surface
+  std::string colorBy;       ///< name of a point or cell array; empty: the plain material
+  bool curves = false;       ///< whether the boundary curves lie over the surface
   bool transparent = false;
   std::array<double, 3> background = {1.0, 1.0, 1.0};  ///< 0 .. 1
 };

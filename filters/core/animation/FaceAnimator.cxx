@@ -43,7 +43,7 @@ bool FaceAnimator::displace(const FAPFrame& frame) {
         const int row = motion.rows[r];
         points.row(row) += length * motion.perValue[i].row(r);
         if (bound_->groups[row] != motion.group)
-          bound_->slack[row] += std::abs(length) * motion.perValue[i].row(r).norm();
+          bound_->slack[row] += std::abs(length) * motion.lengths[i][r];
       }
     }
   }

@@ -166,6 +166,7 @@ void MotionBasis::keepMovedRows(FAPMotion& motion) {
   for (ClosedCurves::Points& field : motion.perValue) {
     ClosedCurves::Points kept(motion.rows.size(), 3);
     for (size_t i = 0; i < motion.rows.size(); ++i) kept.row(i) = field.row(motion.rows[i]);
+    motion.lengths.push_back(kept.rowwise().norm());
     field = std::move(kept);
   }
 }

@@ -19,6 +19,7 @@ struct FAPMotion {
   PiecewiseLinear intervals;
   std::vector<int> rows;                       ///< the samples it moves, as rows of ClosedCurves::points
   std::vector<ClosedCurves::Points> perValue;  ///< per interval: mm for one FAP value, a row per sample
+  std::vector<Eigen::VectorXd> lengths;        ///< of the rows of perValue
   std::vector<ClosedCurves::Points> slopes;    ///< per part: mm for one FAP value at weight 1, a row per interval
 
   /// The furthest that this FAP alone takes any point, in mm.

@@ -82,6 +82,7 @@ __attribute__((target("arch=x86-64-v3"))) auto runWithAVX2(Arguments... argument
   return Kernel::template run<32>(arguments...);
 }
 #endif
+/// Kernel::run<bytes>(arguments) for any processor.
 template <class Kernel, class... Arguments>
 auto runAnywhere(Arguments... arguments) {
   return Kernel::template run<16>(arguments...);
