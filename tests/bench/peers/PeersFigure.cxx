@@ -38,7 +38,7 @@ mien::Plate plateOf(const std::vector<PeerGroup>& groups) {
   plate.columns = 1;
   plate.title = "The same work by Mien and by others";
   plate.caption =
-      "Blue: Mien. Orange: others. Black marks: what was asked for. Processor time of one thread, that of the clock "
+      "Blue: Mien. Yellow: others. Black marks: what was asked for. Processor time of one thread, that of the clock "
       "where threads are named; medians of five.";
   plate.note = "./dev bench --peers";
   for (const PeerGroup& group : groups)
