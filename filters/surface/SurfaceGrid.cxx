@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "PDESurface.h"
+#include "ReusedArrays.h"
 #include "SurfaceCurvature.h"
-#include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkFloatArray.h"
@@ -22,7 +22,7 @@ namespace mien {
 namespace {
 
 /// Points that one thread computes at a time: the rows of S, S_u, S_v and the normals stay in its cache.
-constexpr vtkIdType pointsPerTask = 4096;
+constexpr vtkIdType pointsPerTask = 32768;
 /// Points between two looks at the abort flag; about 0.05 s of work on one core.
 constexpr vtkIdType pointsPerSlab = 1 << 20;
 
@@ -88,16 +88,6 @@ vtkSmartPointer<vtkUnsignedCharArray> hiddenCells(const SurfaceGridLayout& layou
 }
 
 template <class Scalar>
-vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>> newArray(const char* name, int components, vtkIdType size) {
-  auto array = vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>>::Take(vtkArrayDownCast<vtkAOSDataArrayTemplate<Scalar>>(
-      vtkDataArray::CreateDataArray(vtkTypeTraits<Scalar>::VTKTypeID())));
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(size);
-  return array;
-}
-
-template <class Scalar>
 class TypedSurfaceGrid : public SurfaceGrid {
  public:
   TypedSurfaceGrid(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split, int curveCount,
@@ -114,17 +104,17 @@ class TypedSurfaceGrid : public SurfaceGrid {
     this->Surface.setCurves(curves);
     const vtkIdType size = static_cast<vtkIdType>(columnsOf(this->Layout)) * rowsOf(this->Layout);
     Arrays arrays;
-    arrays.points = newArray<Scalar>("Points", 3, size);
-    arrays.normals = newArray<Scalar>("Normals", 3, size);
-    if (derivatives) arrays.derivatives = {newArray<Scalar>("Su", 3, size), newArray<Scalar>("Sv", 3, size)};
+    arrays.points = this->Reused.take("Points", 3, size);
+    arrays.normals = this->Reused.take("Normals", 3, size);
+    if (derivatives) arrays.derivatives = {this->Reused.take("Su", 3, size), this->Reused.take("Sv", 3, size)};
     if (this->Layout.curvatures)
       for (const char* name : {"MeanCurvature", "GaussianCurvature", "MaximumCurvature", "MinimumCurvature"})
-        arrays.curvatures.push_back(newArray<Scalar>(name, 1, size));
+        arrays.curvatures.push_back(this->Reused.take(name, 1, size));
     if (this->computeRows(arrays, self)) this->assemble(arrays, output);
   }
 
  private:
-  using Array = vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>>;
+  using Array = typename ReusedArrays<Scalar>::Array;
   using Grid = typename PDESurface<Scalar>::Grid;
   struct Arrays {
     Array points, normals;
@@ -206,6 +196,7 @@ class TypedSurfaceGrid : public SurfaceGrid {
 
   SurfaceGridLayout Layout;
   PDESurface<Scalar> Surface;
+  ReusedArrays<Scalar> Reused;
   vtkSmartPointer<vtkFloatArray> TextureCoordinates;
   vtkSmartPointer<vtkIntArray> PatchIds;
   vtkSmartPointer<vtkUnsignedCharArray> HiddenCells;
