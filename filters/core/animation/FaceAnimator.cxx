@@ -42,8 +42,7 @@ bool FaceAnimator::displace(const FAPFrame& frame) {
       for (size_t r = 0; r < motion.rows.size(); ++r) {
         const int row = motion.rows[r];
         points.row(row) += length * motion.perValue[i].row(r);
-        if (bound_->groups[row] != motion.group)
-          bound_->slack[row] += std::abs(length) * motion.lengths[i][r];
+        if (bound_->groups[row] != motion.group) bound_->slack[row] += std::abs(length) * motion.lengths[i][r];
       }
     }
   }
