@@ -87,13 +87,25 @@ vtkSmartPointer<vtkUnsignedCharArray> hiddenCells(const SurfaceGridLayout& layou
   return any ? ghosts : nullptr;
 }
 
+/// The pieces with their rows inside the extent alone: a part of a huge grid needs no operators for the rest.
+std::vector<SurfacePiece> rowsInside(std::vector<SurfacePiece> pieces, const SurfaceGridLayout& layout) {
+  for (SurfacePiece& piece : pieces) {
+    const int rows = static_cast<int>(piece.u.size());
+    const int begin = std::clamp(layout.extent[2] - piece.firstRow, 0, rows);
+    const int end = std::clamp(layout.extent[3] + 1 - piece.firstRow, begin, rows);
+    piece.u = std::vector<double>(piece.u.begin() + begin, piece.u.begin() + end);
+    piece.firstRow += begin;
+  }
+  return pieces;
+}
+
 template <class Scalar>
 class TypedSurfaceGrid : public SurfaceGrid {
  public:
   TypedSurfaceGrid(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split, int curveCount,
                    const SurfaceGridLayout& layout)
       : Layout(layout),
-        Surface(pieces, split, curveCount, columnParameters(layout), layout.curvatures ? 2 : 1),
+        Surface(rowsInside(pieces, layout), split, curveCount, columnParameters(layout), layout.curvatures ? 2 : 1),
         TextureCoordinates(textureCoordinates(layout)),
         PatchIds(patchIds(layout)),
         HiddenCells(hiddenCells(layout)) {}
