@@ -1,4 +1,3 @@
-#include <QAbstractItemView>
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
@@ -109,48 +108,6 @@ TEST_F(History, TurningTheWheelIsOneStepAndClicksAreMany) {
   EXPECT_EQ(history().count(), 4);
   for (int i = 0; i < 4; ++i) history().undo();
   EXPECT_EQ(window->model().state(), FaceState());
-}
-
-/// By hand, as a user chooses: in the list that opens, or with keys.
-TEST_F(History, AColourThatIsChosenIsAStep) {
-  auto* colors = find<QComboBox>("colorBy");
-  int row = -1;
-  for (int i = 0; i < colors->count(); ++i)
-    if (colors->itemText(i).startsWith("Mean curvature")) row = i;
-  ASSERT_GE(row, 0);
-  QTest::mouseClick(colors, Qt::LeftButton);
-  ASSERT_TRUE(waitUntil([&] { return colors->view()->isVisible(); }));
-  settle();
-  QTest::qWait(600);  // a list that has just opened takes no release
-  const QModelIndex item = colors->model()->index(row, 0);
-  colors->view()->scrollTo(item);
-  QTest::mouseMove(colors->view()->viewport(), colors->view()->visualRect(item).center());
-  QTest::mouseClick(colors->view()->viewport(), Qt::LeftButton, Qt::NoModifier,
-                    colors->view()->visualRect(item).center());
-  QTest::qWait(600);
-  EXPECT_TRUE(colors->currentText().startsWith("Mean curvature")) << colors->currentText().toStdString();
-  EXPECT_EQ(history().count(), 1);
-  EXPECT_TRUE(window->isWindowModified());
-  history().undo();
-  EXPECT_EQ(colors->currentText(), "Skin");
-  EXPECT_FALSE(window->isWindowModified());
-  history().redo();
-  EXPECT_TRUE(colors->currentText().startsWith("Mean curvature"));
-  history().undo();
-  colors->setFocus();
-  QTest::keyClick(colors, Qt::Key_M);
-  QTest::qWait(600);
-  EXPECT_TRUE(colors->currentText().startsWith("Mean curvature")) << colors->currentText().toStdString();
-  EXPECT_EQ(history().count(), 1);
-  history().undo();
-  EXPECT_EQ(colors->currentText(), "Skin");
-  settle();
-  colors->setCurrentIndex(row);  // long after the last event
-  settle();
-  EXPECT_EQ(history().count(), 1);
-  EXPECT_TRUE(window->isWindowModified());
-  history().undo();
-  EXPECT_EQ(colors->currentText(), "Skin");
 }
 
 TEST_F(History, PlayedFramesAreNoSteps) {

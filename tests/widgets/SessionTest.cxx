@@ -1,4 +1,3 @@
-#include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -10,7 +9,6 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -29,8 +27,6 @@
 #include "FaceStateText.h"
 #include "History.h"
 #include "MessageBar.h"
-#include "ReferenceData.h"
-#include "ScanPanel.h"
 #include "SessionDocument.h"
 #include "SessionFile.h"
 #include "StudioFixture.h"
@@ -382,115 +378,6 @@ TEST_F(Session, AsksOnceWhereChangesWouldBeLost) {
   answer = Answer::Discard;
   EXPECT_TRUE(window->close());
   EXPECT_EQ(asked, 2);
-}
-
-/// As the desktop's dialog for files, a child of the window with input widgets of its own.
-TEST_F(Session, ADialogThatComesAndGoesChangesNothing) {
-  ASSERT_TRUE(window->document().save(file("a.mien-session.json")));
-  const json before = settings();
-  QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
-  settle();
-  auto dialog = std::make_unique<QFileDialog>(window.get());
-  dialog->setOption(QFileDialog::DontUseNativeDialog);
-  dialog->show();
-  ASSERT_GT(dialog->findChildren<QLineEdit*>().size(), 0);
-  settle();
-  EXPECT_EQ(json::diff(before, settings()).dump(), "[]");
-  QTest::keyClick(dialog.get(), Qt::Key_Escape);
-  settle();
-  dialog.reset();
-  settle();
-  EXPECT_FALSE(window->isWindowModified());
-  EXPECT_EQ(window->history().count(), 0);
-}
-
-TEST_F(Session, SavingTakesWhatHasJustChangedWithIt) {
-  QTest::keyClick(find<QComboBox>("faceMesh"), Qt::Key_Down);
-  ASSERT_TRUE(window->document().save(file("a.mien-session.json")));
-  settle();
-  EXPECT_FALSE(window->isWindowModified());
-  EXPECT_EQ(window->history().count(), 1);
-}
-
-TEST_F(Session, IsMarkedAsChangedWhenTheCameraIsMoved) {
-  int asked = 0;
-  window->document().setQuestion([&] { return ++asked, mien::SessionDocument::Answer::Discard; });
-  auto* view = find<mien::FaceView>("faceView");
-  ASSERT_TRUE(window->document().save(file("a.mien-session.json")));
-  QTest::keyClick(view, Qt::Key_Left);
-  settle();
-  EXPECT_TRUE(window->isWindowModified());
-  EXPECT_EQ(window->history().count(), 0);
-  EXPECT_TRUE(window->document().mayClose());
-  EXPECT_EQ(asked, 1);
-  QTest::keyClick(view, Qt::Key_Home);
-  settle();
-  EXPECT_FALSE(window->isWindowModified()) << "as it was saved";
-  QTest::keyClick(view, Qt::Key_Right);
-  settle();
-  ASSERT_TRUE(window->document().save());
-  EXPECT_FALSE(window->isWindowModified());
-  reopen();
-  EXPECT_FALSE(window->isWindowModified());
-  window->resize(window->size() - QSize(40, 40));
-  settle();
-  EXPECT_FALSE(window->isWindowModified());
-}
-
-TEST_F(Session, BringsBackTheViewOfAScan) {
-  MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
-  const auto isMeasured = [this] {
-    auto* panel = find<mien::ScanPanel>("scanPanel");
-    return waitUntil([panel] { return panel->hasScan() && !panel->isMeasuring(); }, 120000);
-  };
-  const auto cameraOf = [this] {
-    vtkCamera* camera = find<mien::FaceView>("faceView")->camera();
-    std::vector<double> all(6);
-    camera->GetPosition(all.data());
-    camera->GetFocalPoint(all.data() + 3);
-    return all;
-  };
-  auto* panel = find<mien::ScanPanel>("scanPanel");
-  panel->openLandmarks(QString::fromStdString(referencePath("heads/landmarks68.csv")));
-  panel->open(QString::fromStdString(referencePath("heads/subject01_neutral.ply")));
-  ASSERT_TRUE(isMeasured()) << message().toStdString();
-  settle();
-  const std::vector<double> before = cameraOf();
-  reopen();
-  ASSERT_TRUE(isMeasured()) << message().toStdString();
-  settle();
-  const std::vector<double> after = cameraOf();
-  for (size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(after[i], before[i], 1e-6) << i;
-  EXPECT_FALSE(window->isWindowModified());
-}
-
-/// Whatever was shown before a state, its movement has the same colours.
-TEST_F(Session, TheRangeOfTheCurvesBelongsToWhatIsShown) {
-  const auto range = [this] { return find<QDoubleSpinBox>("curveRange")->text().toStdString(); };
-  const auto move = [this](double value) {
-    QTest::mouseClick(find<QWidget>("fapHeading8"), Qt::LeftButton);
-    window->model().change([value](FaceState& state) { state.fapValues[3] = value; });
-    settle();
-  };
-  move(300.0);
-  const std::string little = range();
-  move(1000.0);
-  ASSERT_NE(range(), little);
-  window->history().undo();
-  settle();
-  EXPECT_EQ(range(), little);
-  ASSERT_TRUE(window->openFile(writeLids(60, 25.0)));
-  settle();
-  const std::string atTheBegin = range();
-  for (int frame = 0; frame < 60; ++frame) {
-    window->model().showFrame(frame);
-    ASSERT_TRUE(window->model().update());
-    EXPECT_EQ(range(), atTheBegin) << frame;
-  }
-  window->model().showFrame(3);
-  settle();
-  reopen();
-  EXPECT_EQ(range(), atTheBegin);
 }
 
 }  // namespace
