@@ -114,7 +114,7 @@ TEST(CopiedCommand, AStateThatIsNoneIsRefused) {
     EXPECT_NE(outcome.errors.find(part), std::string::npos) << outcome.errors;
   };
   expectRefused("{\"mien_face_state\": 2, \"nose\": 1}", 2, "nose");
-  expectRefused("{", 2, "line 1 is damaged");
+  expectRefused("{", 2, "ends at line 1 (cut off?)");
   expectRefused(folder.file("no.json"), 1, "no.json: ");
   writeTextFile(folder.file("a.json"), "{\"mien_face_state\": 7}");
   expectRefused(folder.file("a.json"), 1, "a.json: face state: 'mien_face_state' is 7");

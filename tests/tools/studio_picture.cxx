@@ -212,6 +212,21 @@ void exportFigure(QWidget& window, const QString& what) {
   static_cast<mien::ExportButton*>(part<QToolButton>(window, name))->write(file);
 }
 
+/// A setting that nobody knows ends the program before it shows anything.
+void checkSettings(const QStringList& settings) {
+  const QStringList known = {"a",     "act",     "cell",       "choose", "color", "compare",  "dark",
+                             "dock",  "export",  "expression", "fap",    "file",  "focus",    "fortyfive",
+                             "frame", "grab",    "measure",    "menu",   "mesh",  "play",     "press",
+                             "range", "row",     "scale",      "scan",   "side",  "start",    "tab",
+                             "tour",  "trigger", "unlinked",   "viseme", "wait",  "workspace"};
+  for (const QString& setting : settings) {
+    if (known.contains(setting.section('=', 0, 0))) continue;
+    QTextStream(stderr) << "studio_picture: there is no setting '" << setting << "'; there are " << known.join(", ")
+                        << "\n";
+    std::exit(2);
+  }
+}
+
 void apply(mien::StudioWindow& window, const QString& setting) {
   const QString key = setting.section('=', 0, 0), value = setting.section('=', 1);
   mien::FaceModel& model = window.model();
@@ -262,6 +277,7 @@ int main(int argc, char** argv) {
     QTextStream(stderr) << "usage: studio_picture OUT.png WIDTHxHEIGHT [SETTING...]\n";
     return 2;
   }
+  checkSettings(arguments.mid(3));
   mien::Theme::apply(mien::Theme::Kind::Light, application);
   mien::StudioWindow window;
   window.resize(arguments[2].section('x', 0, 0).toInt(), arguments[2].section('x', 1).toInt());

@@ -57,6 +57,9 @@ TEST_F(FileOpener, KindsAreToldByContent) {
   EXPECT_EQ(mien::fileKind(write("a.jpg", "\xFF\xD8\xFF\xE0")), FileKind::Photograph);
   EXPECT_EQ(mien::fileKind(write("a.tif", QByteArray("II*\0", 4))), FileKind::Photograph);
   EXPECT_EQ(mien::fileKind(write("a.bin", QByteArray(9, '\0'))), FileKind::Other);
+  EXPECT_EQ(mien::fileKind(data + "animation/animation_table.json"), FileKind::AnimationTable);
+  EXPECT_EQ(mien::fileKind(write("a.json", "{\"type\": \"FeatureCollection\"}")), FileKind::Json);
+  EXPECT_EQ(mien::fileKind(write("b.json", "[1, 2]")), FileKind::Json);
   EXPECT_EQ(mien::fileKind(data + "animation/demo.fap"), FileKind::Animation);
 }
 

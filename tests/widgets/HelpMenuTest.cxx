@@ -73,6 +73,16 @@ TEST_F(HelpMenu, TheManualOpensAtTheDockThatHasTheFocus) {
   EXPECT_EQ(manual->section(), "surfaceDock");
 }
 
+TEST_F(HelpMenu, TheManualOpensAtTheDockThatWasClickedIn) {
+  const std::pair<const char*, const char*> places[] = {
+      {"fapHeading8", "fapDock"}, {"timelineTime", "timelinePanel"}, {"surfaceRemainder", "surfaceDock"}};
+  for (const auto& [widget, section] : places) {
+    QTest::mouseClick(find<QWidget>(widget), Qt::LeftButton);
+    find<QAction>("actionManual")->trigger();
+    EXPECT_EQ(find<mien::ManualWindow>("manualWindow")->section().toStdString(), section);
+  }
+}
+
 TEST_F(HelpMenu, TheManualIsSearched) {
   find<QAction>("actionManual")->trigger();
   auto* manual = find<mien::ManualWindow>("manualWindow");

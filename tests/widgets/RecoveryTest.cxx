@@ -169,7 +169,7 @@ TEST_F(Recovery, OfADamagedFileSaysSoOnceAndPutsItAside) {
     EXPECT_FALSE(bar(*window)->isVisible());
     EXPECT_TRUE(said(*window).contains("put aside")) << said(*window).toStdString();
     const QString details = window->findChild<mien::MessageBar*>()->log().back().details;
-    EXPECT_TRUE(details.contains("line 1 is damaged")) << details.toStdString();
+    EXPECT_TRUE(details.contains("ends at line 1 (cut off?)")) << details.toStdString();
     EXPECT_TRUE(details.contains(name + ".damaged")) << details.toStdString();
     EXPECT_EQ(window->model().state(), mien::FaceState());
   }

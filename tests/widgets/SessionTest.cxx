@@ -300,20 +300,21 @@ TEST_F(Session, OfADamagedFileSaysWhatIsWrongAndKeepsTheWindow) {
   settle();
   const std::string before = state();
   const json widgets = settings();
-  const std::map<QString, const char*> said = {{"face_missing", "'face' is missing"},
-                                               {"face_number", "face state"},
-                                               {"face_unknown_member", "nose"},
-                                               {"face_unknown_scheme", "cubist"},
-                                               {"format_missing", "'format' is not"},
-                                               {"line1_binary", "line 1 is damaged"},
-                                               {"line1_empty", "line 1 is damaged"},
-                                               {"line1_never_closed", "line 1 is damaged"},
-                                               {"line3_cut_off", "line 3 is damaged"},
-                                               {"no_object", "its JSON is no object"},
-                                               {"number_too_large", "a number that is too large"},
-                                               {"version_0", "'version'"},
-                                               {"version_9", "a later version"},
-                                               {"version_missing", "'version'"}};
+  const std::map<QString, const char*> said = {
+      {"face_missing", "'face' is missing"},
+      {"face_number", "face state"},
+      {"face_unknown_member", "nose"},
+      {"face_unknown_scheme", "cubist"},
+      {"format_missing", "'format' is not"},
+      {"line1_binary", "line 1 is damaged"},
+      {"line1_empty", "ends at line 1 (cut off?)"},
+      {"line1_never_closed", "ends at line 1 (cut off?)"},
+      {"line3_cut_off", "ends at line 3 (cut off?); open an earlier copy; nothing was changed"},
+      {"no_object", "its JSON is no object"},
+      {"number_too_large", "a number that is too large"},
+      {"version_0", "'version'"},
+      {"version_9", "a later version"},
+      {"version_missing", "'version'"}};
   const QFileInfoList files = QDir(MIEN_TEST_DIR "/data/malformed/session").entryInfoList({"*.json"}, QDir::Files);
   EXPECT_EQ(files.size(), static_cast<int>(said.size()));
   for (const QFileInfo& damaged : files) {

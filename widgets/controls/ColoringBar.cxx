@@ -47,6 +47,7 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
   connect(curves, &QToolButton::toggled, this, &ColoringBar::curvesToggled);
   connect(names, &QToolButton::toggled, this, &ColoringBar::namesToggled);
   connect(choice_, &QComboBox::currentTextChanged, coloring_, &FaceColoring::choose);
+  connect(choice_, &QComboBox::currentTextChanged, this, &ColoringBar::colorChosen);
   connect(automatic_, &QToolButton::toggled, this, [this](bool on) {
     coloring_->setAutomatic(on);
     follow();

@@ -20,6 +20,7 @@ class ColoringBar : public QWidget {
   ColoringBar(FaceColoring* coloring, QWidget* parent = nullptr);
 
  signals:
+  void colorChosen();  ///< by the user, after it has taken effect
   void curvesToggled(bool on);
   void namesToggled(bool on);
 

@@ -21,8 +21,8 @@ CurveKeyBar::CurveKeyBar(CurveView* view, QWidget* parent) : QFrame(parent), sca
   auto* range = new RangeBox("curveRange", longestRange, this);
   range->setAccessibleName(tr("Movement of the last colour"));
   range->setToolTip(
-      tr("The movement in mm that has the last colour. 0, automatic: a round number that grows with the movement and "
-         "begins anew with a face at rest or another animation"));
+      tr("The movement in mm that has the last colour. 0, automatic: a round number that holds the movement "
+         "of the face shown and of all of its animation"));
   auto* head = new QToolButton(this);
   head->setObjectName("curveHead");
   head->setText(tr("Head"));

@@ -300,7 +300,7 @@ void ScanPanel::take(const Found& found) {
   map_->setScan(scan_);
   showScan();
   showReport();
-  if (framed_ != file_) view_->fit();  // once: the camera is the user's from then on
+  if (framed_ != file_ || !view_->isMoved()) view_->fit();  // once: the camera is the user's from then on
   framed_ = file_;
   emit scanChanged();
 }

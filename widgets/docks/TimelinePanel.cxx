@@ -149,7 +149,7 @@ void TimelinePanel::connectRange() {
   connect(smooth_, &QToolButton::clicked, model_, &FaceModel::setInterpolating);
   connect(player_, &AnimationPlayer::rangeChanged, this, &TimelinePanel::showRange);
   connect(player_, &AnimationPlayer::rateMeasured, this,
-          [this](double rate) { rate_->setText(tr("(%1 shown)").arg(rate, 0, 'f', 0)); });
+          [this](double rate) { rate_->setText(tr("\u00b7 %1 frames/s drawn").arg(rate, 0, 'f', 0)); });
   connect(player_, &AnimationPlayer::playingChanged, rate_, &QLabel::clear);
 }
 
@@ -204,7 +204,7 @@ void TimelinePanel::showFrame() {
   const double rate = model_->framesPerSecond();
   if (rate <= 0.0) return time_->clear();
   const double end = (model_->frameCount() - 1) / rate;
-  time_->setText(tr("%1 s of %2 s, %3 frames/s, frame number %4")
+  time_->setText(tr("%1 s of %2 s \u00b7 %3 frames/s \u00b7 number %4 in the file")
                      .arg(model_->framePosition() / rate, 0, 'f', 2)
                      .arg(end, 0, 'f', 2)
                      .arg(rate)

@@ -4,9 +4,11 @@
 #include <vtkMath.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
+#include "CurveMovement.h"
 #include "FAPSequence.h"
 #include "FaceMotion.h"
 #include "FacePipeline.h"
@@ -45,6 +47,11 @@ vtkPolyData* curvesOf(const FacePipeline& pipeline) {
   return vtkPolyData::SafeDownCast(pipeline.curves()->GetOutputDataObject(0));
 }
 
+double mostMovement(vtkPolyData* curves, bool withHead) {
+  const auto movement = curveMovement(curves, !withHead);
+  return movement && movement->GetNumberOfTuples() > 0 ? movement->GetRange()[1] : 0.0;
+}
+
 }  // namespace
 
 MotionReach::MotionReach() : probe_(std::make_unique<FacePipeline>()) {}
@@ -54,10 +61,14 @@ MotionReach::~MotionReach() = default;
 void MotionReach::plan(const FaceState& face, const FAPSequence& motion) {
   points_.assign(std::size(directions), Point());
   reach_.assign(std::size(directions), -std::numeric_limits<double>::infinity());
+  movement_ = {};
   FaceState state = FaceMotion::neutralOf(face);
   const auto show = [&] {
     probe_->setState(state);
-    if (probe_->updateCurves().empty()) take(curvesOf(*probe_));
+    if (!probe_->updateCurves().empty()) return;
+    take(curvesOf(*probe_));
+    for (const bool withHead : {false, true})
+      movement_[withHead] = std::max(movement_[withHead], mostMovement(curvesOf(*probe_), withHead));
   };
   show();
   for (size_t index : extremeFrames(motion)) {

@@ -29,6 +29,10 @@ class MotionReach {
 
   bool hasGrown() const { return grown_; }  ///< by add() since plan()
 
+  /// How far a point of the curves moves in the frames of the last plan(), in mm.
+  /// @param withHead  whether the turns of the head count
+  double movement(bool withHead) const { return movement_[withHead]; }
+
   /// The points that reach furthest to the front, the sides and the diagonals between them.
   const std::vector<Point>& points() const { return points_; }
 
@@ -38,6 +42,7 @@ class MotionReach {
   std::unique_ptr<FacePipeline> probe_;
   std::vector<Point> points_;
   std::vector<double> reach_;
+  std::array<double, 2> movement_ = {};  ///< without the turns of the head, and with them
   bool grown_ = false;
 };
 

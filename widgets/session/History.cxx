@@ -196,6 +196,12 @@ void History::apply(const json& change) {
   applying_ = false;
 }
 
+void History::act() {
+  if (applying_) return;
+  if (input_ == Input::None) input_ = Input::Mouse;
+  idle_->start();
+}
+
 void History::undo() {
   if (held_) return;
   record();

@@ -39,6 +39,7 @@ class History : public QObject {
   QString redoText() const;
 
  public slots:
+  void act();  ///< says that what has just changed is the user's own step, whatever event brought it about
   void undo();
   void redo();
 

@@ -7,6 +7,7 @@
 
 #include "FaceModel.h"
 #include "FaceStateJson.h"
+#include "RenderView.h"
 #include "WidgetSettings.h"
 
 namespace mien {
@@ -62,6 +63,13 @@ json Session::whole() const {
   return {{"face", faceStateJson(model_->lastingState())},
           {"docks", WidgetSettings::read(*window_, WidgetSettings::Of::Session)},
           {"window", windowState()}};
+}
+
+json Session::cameras() const {
+  json all = json::object();
+  for (const auto* view : window_->findChildren<const RenderView*>())
+    all[view->objectName().toStdString()] = view->sessionState();
+  return all;
 }
 
 json Session::windowState() const {

@@ -21,6 +21,7 @@ class Session : public QObject {
   Session(FaceModel* model, QMainWindow* window);
 
   nlohmann::json whole() const;     ///< for a file; a stream, which nobody can read twice, as the frame it is at
+  nlohmann::json cameras() const;   ///< of the views, by object name: kept, and no step of undo
   nlohmann::json undoable() const;  ///< `face`, and of `docks` what undo covers
 
   /// Shows a session; what it does not name stays as it is. Files that are gone are left out, and the message bar names

@@ -33,7 +33,12 @@ SessionDocument::Answer ask(QWidget* window, const QString& name) {
 }  // namespace
 
 SessionDocument::SessionDocument(Session* session, History* history, FaceModel* model, QWidget* window)
-    : QObject(window), session_(session), history_(history), model_(model), window_(window) {
+    : QObject(window),
+      session_(session),
+      history_(history),
+      model_(model),
+      window_(window),
+      cameras_(std::make_unique<json>(session->cameras())) {
   if (!QCoreApplication::organizationName().isEmpty()) question_ = [this] { return ask(window_, file_); };
   connect(history_, &History::changed, this, &SessionDocument::showTitle);
   showTitle();
@@ -42,7 +47,12 @@ SessionDocument::SessionDocument(Session* session, History* history, FaceModel* 
 SessionDocument::~SessionDocument() = default;
 
 bool SessionDocument::isModified() const {
-  return !history_->isClean();
+  if (!history_->isClean()) return true;
+  const json now = session_->cameras();
+  for (const auto& view : now.items())
+    if (const auto before = cameras_->find(view.key()); before != cameras_->end() && *before != view.value())
+      return true;
+  return false;
 }
 
 /// The desktop adds the program's name.
@@ -55,6 +65,7 @@ void SessionDocument::showTitle() {
 void SessionDocument::take(const QString& fileName, bool isRecovered) {
   file_ = fileName.isEmpty() ? QString() : QFileInfo(fileName).absoluteFilePath();
   recovered_ = isRecovered;
+  *cameras_ = session_->cameras();
   showTitle();
   emit named(file_);
 }
@@ -64,6 +75,15 @@ void SessionDocument::rememberStart() {
   start_ = std::make_unique<json>(session_->whole());
   start_->erase("window");
   for (json& dock : start_->at("docks")) dock.erase(arrangementPart);
+  *cameras_ = session_->cameras();
+}
+
+/// A view that is made, or goes, is the consequence of something else.
+void SessionDocument::followCameras() {
+  const json now = session_->cameras();
+  for (const auto& view : now.items())
+    if (!cameras_->contains(view.key())) (*cameras_)[view.key()] = view.value();
+  showTitle();
 }
 
 void SessionDocument::startNew() {
@@ -83,7 +103,8 @@ bool SessionDocument::show(const nlohmann::json& session, const QString& name, Q
 
 bool SessionDocument::open(const QString& fileName) {
   nlohmann::json session;
-  const QString fault = SessionFile::read(fileName, session);
+  QString fault = SessionFile::read(fileName, session);
+  if (!fault.isEmpty()) fault += tr("; nothing was changed");
   if (!show(session, QFileInfo(fileName).fileName(), fault)) return false;
   history_->clear();
   take(fileName);
@@ -99,6 +120,7 @@ bool SessionDocument::recover(const nlohmann::json& session, const QString& faul
 }
 
 bool SessionDocument::save(const QString& fileName) {
+  history_->record();
   const QString fault = SessionFile::write(session_->whole(), fileName);
   if (!fault.isEmpty()) {
     emit model_->failed(fault, fileName);

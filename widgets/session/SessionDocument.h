@@ -46,6 +46,8 @@ class SessionDocument : public QObject {
   /// Whether the window may close: asks once where something would be lost.
   bool mayClose();
 
+  void followCameras();  ///< which are no steps of undo, but kept
+
   /// Who is asked about changes that are not saved. Default: a dialog, and nobody in a program without a name.
   void setQuestion(const Question& question) { question_ = question; }
 
@@ -66,6 +68,7 @@ class SessionDocument : public QObject {
   QString file_;
   bool recovered_ = false;
   std::unique_ptr<nlohmann::json> start_;
+  std::unique_ptr<nlohmann::json> cameras_;  ///< as they were saved or opened
   Question question_;
 };
 

@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
@@ -39,9 +40,17 @@ bool isNavigation(const QObject* object) {
   return isOneOf<QTabBar, QTabWidget, QAction>(object);
 }
 
+/// A dialog, be it the desktop's for files, comes and goes without a change.
+bool isInDialog(const QObject* object) {
+  for (; object; object = object->parent())
+    if (qobject_cast<const QDialog*>(object)) return true;
+  return false;
+}
+
 bool isKept(const QObject* object, Of of) {
   const QString name = object->objectName();
   if (name.isEmpty() || name.startsWith("qt_") || object->property(notInSession).toBool()) return false;
+  if (isInDialog(object)) return false;
   if (const auto* part = dynamic_cast<const SessionPart*>(object)) return of == Of::Session || part->isUndoable();
   if (of == Of::Undo && isNavigation(object)) return false;
   if (const auto* button = qobject_cast<const QAbstractButton*>(object)) return button->isCheckable();

@@ -12,6 +12,7 @@
 
 #include "CurveMovement.h"
 #include "FaceModel.h"
+#include "MotionReach.h"
 #include "PropertyColor.h"
 #include "RoundedUp.h"
 #include "Theme.h"
@@ -47,9 +48,6 @@ CurveView::CurveView(FaceModel* model, QWidget* parent) : RenderView(model, pare
   addNeutral();
   addCurves();
   dress();
-  const auto begin = [this] { automatic_ = leastRange; };
-  begin();
-  connect(model, &FaceModel::animationChanged, this, begin);
   connect(model, &FaceModel::updated, this, &CurveView::follow);
   follow();
 }
@@ -100,12 +98,21 @@ void CurveView::follow() {
   const auto movement = curveMovement(shown, !withHead_);
   if (movement) curves_->GetPointData()->AddArray(movement);
   most_ = movement && movement->GetNumberOfTuples() > 0 ? movement->GetRange()[1] : 0.0;
-  if (most_ == 0.0 && model().state().fapFile.empty()) automatic_ = leastRange;
-  growRange();
+  followRange();
 }
 
-void CurveView::growRange() {
-  automatic_ = std::max(automatic_, roundedUp(std::max(most_, leastRange)));
+/// What the frames of an animation reach is known, but for few that mix what others do apart, and for a stream.
+void CurveView::followRange() {
+  FaceState motion = model().state();
+  motion.frame = 0.0;
+  if (motion != motion_) played_ = 0.0;
+  motion_ = motion;
+  played_ = std::max(played_, most_);
+  automatic_ = roundedUp(std::max({leastRange, played_, model().reach().movement(withHead_)}));
+  showRange();
+}
+
+void CurveView::showRange() {
   colors_->SetTableRange(0.0, rangeEnd());
   redraw();
   emit movementChanged();
@@ -117,13 +124,13 @@ double CurveView::rangeEnd() const {
 
 void CurveView::setWithHead(bool on) {
   withHead_ = on;
-  automatic_ = leastRange;
+  played_ = 0.0;
   follow();
 }
 
 void CurveView::setFixedRange(double end) {
   fixed_ = end;
-  growRange();
+  showRange();
 }
 
 void CurveView::dress() {

@@ -2,6 +2,7 @@
 
 #include <vtkPolyData.h>
 
+#include "FaceState.h"
 #include "RenderView.h"
 
 class vtkActor;
@@ -13,8 +14,8 @@ namespace mien {
 /// Which boundary curves move, and how far? The 29 curves as lines and points, coloured by how far they have
 /// moved (mm), over the neutral ones; the turns of the head are left out unless they are asked for.
 ///
-/// The range of the colours is fixed, or it is automatic: a round number that grows with the movement, and begins anew
-/// with another animation, without an animation with a face at rest, and with a change of what counts.
+/// The range of the colours is fixed, or it is automatic: a round number that holds the movement of the face shown, of
+/// the ends of its animation, and of the frames of it seen while nothing else of the state changed.
 class CurveView : public RenderView {
   Q_OBJECT
  public:
@@ -37,7 +38,8 @@ class CurveView : public RenderView {
 
  private:
   void follow();
-  void growRange();
+  void followRange();
+  void showRange();
   void addCurves();
   void addNeutral();
   void addSkin();
@@ -47,6 +49,8 @@ class CurveView : public RenderView {
   vtkNew<vtkPolyData> curves_;  ///< those shown, with the point array `Movement` (mm)
   bool withHead_ = false;
   double fixed_ = 0.0, automatic_ = 0.0, most_ = 0.0;
+  double played_ = 0.0;  ///< mm, the most in any frame seen of motion_
+  FaceState motion_;     ///< without its frame
   vtkNew<vtkActor> lines_, points_, neutral_, skin_;
 };
 

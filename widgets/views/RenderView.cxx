@@ -170,6 +170,7 @@ void RenderView::observeMouse() {
 void RenderView::userMoved() {
   moved_ = true;
   passCamera();
+  emit cameraMoved();
 }
 
 void RenderView::passCamera(const RenderView* except) {
@@ -194,6 +195,7 @@ void RenderView::fit() {
   placeCamera();
   passCamera();
   redraw();
+  emit cameraMoved();
 }
 
 void RenderView::placeCamera(const std::array<double, 3>& focus, const std::array<double, 3>& direction,

@@ -57,6 +57,9 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   void redraw();            ///< with the next paint event
   virtual void useTheme();  ///< takes the colours of the current theme
 
+ signals:
+  void cameraMoved();  ///< by the user, back to the whole face, or with another view
+
  protected:
   void paintGL() override;
   void resizeEvent(QResizeEvent* event) override;

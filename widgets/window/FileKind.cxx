@@ -83,7 +83,8 @@ FileKind fileKind(const QString& fileName) {
   if (hasScanEnding(fileName) || head.startsWith("v ")) return FileKind::Scan;
   if (head.contains('\0')) return FileKind::Other;
   if (isSession(head)) return FileKind::Session;
-  if (head.trimmed().startsWith('{')) return FileKind::AnimationTable;
+  if (const QByteArray begin = head.trimmed(); begin.startsWith('{') || begin.startsWith('['))
+    return head.contains("\"mien animation table\"") ? FileKind::AnimationTable : FileKind::Json;
   return kindOfTable(text);
 }
 

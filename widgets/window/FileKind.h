@@ -17,6 +17,7 @@ enum class FileKind {
   PhotographMesh,    ///< warp mesh or landmarks of a photograph
   Landmarks,         ///< of a scan
   Markers,           ///< before and after an expression
+  Json,              ///< .json of none of ours
   Other              ///< another kind of file
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMenu>
+#include <QPointer>
 
 class QMainWindow;
 
@@ -8,11 +9,15 @@ namespace mien {
 
 class ManualWindow;
 
-/// The manual at the section of what has the focus, the keys, the tour, and what this program is made of.
+/// The manual at the section of what was clicked in, or got the focus, last, the keys, the tour, and what this program
+/// is made of.
 class HelpMenu : public QMenu {
   Q_OBJECT
  public:
   explicit HelpMenu(QMainWindow* window);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void showManual();
@@ -21,6 +26,7 @@ class HelpMenu : public QMenu {
   void showAbout();
 
   QMainWindow* window_;
+  QPointer<QWidget> visited_;
   ManualWindow* manual_ = nullptr;
 };
 

@@ -1,5 +1,8 @@
 #include "LibraryVersions.h"
 
+#include <lzma.h>
+#include <png.h>
+#include <tiffio.h>
 #include <vtkVersion.h>
 
 #include <Eigen/Core>
@@ -46,6 +49,9 @@ std::vector<std::pair<QString, QString>> libraryVersions() {
           {"OpenMesh", QString::fromStdString(meshLibraryVersion())},
           {"JSON for Modern C++",
            dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+          {"libpng", png_get_libpng_ver(nullptr)},
+          {"LibTIFF", QString(TIFFGetVersion()).section('\n', 0, 0).section(' ', -1)},
+          {"liblzma", lzma_version_string()},
           {"OpenGL", graphics()},
           {QObject::tr("System"), QSysInfo::prettyProductName() + ", " + QSysInfo::currentCpuArchitecture()}};
 }

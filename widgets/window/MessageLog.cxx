@@ -48,6 +48,7 @@ MessageLog::MessageLog(const std::vector<Message>& messages, QWidget* parent)
   column->addWidget(details_);
   column->addWidget(buttons);
   for (const Message& message : messages) add(message);
+  if (messages.empty()) details_->setPlaceholderText(tr("Nothing was said yet."));
 }
 
 void MessageLog::add(const Message& message) {
@@ -58,6 +59,7 @@ void MessageLog::add(const Message& message) {
   item->setToolTip(Sentence, message.sentence);
   if (message.isError) item->setForeground(Kind, Theme::current().error);
   list_->insertTopLevelItem(0, item);
+  details_->setPlaceholderText(tr("Choose a message to read all of it."));
 }
 
 void MessageLog::copy() const {

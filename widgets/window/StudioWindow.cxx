@@ -62,6 +62,11 @@ QString advice(FileKind kind) {
       return StudioWindow::tr(
           "%1 holds markers before and after an expression. Fit a table to them, and open that: mien fdt fit %1 -o "
           "table.csv");
+    case FileKind::Json:
+      return StudioWindow::tr(
+          "%1 is a JSON file of no known kind; Mien Studio opens animation tables (their \"format\" is \"mien "
+          "animation "
+          "table\"), sessions and the states that figures carry");
     case FileKind::Other:
       return StudioWindow::tr(
           "%1 is nothing that Mien Studio opens: .fap files, tables (.csv) of FAPs, action units or blendshapes, "
@@ -100,6 +105,8 @@ StudioWindow::StudioWindow()
   WindowLayout::restore(*this);
   workspaces_->restore();
   keeper_->begin();
+  connect(views_, &ViewArea::colorChosen, keeper_->history(), &History::act);
+  connect(views_, &ViewArea::cameraMoved, keeper_->document(), &SessionDocument::followCameras);
   const QString damage = keeper_->autosave() ? keeper_->autosave()->damage() : QString();
   if (!damage.isEmpty())
     messages_->showError(

@@ -70,6 +70,8 @@ ViewArea::ViewArea(FaceModel* model, FaceView* face, CurveView* curves, QWidget*
   column->addWidget(splitter(), 1);
   linkCameras(true);
   addExporters();
+  for (const RenderView* view : std::initializer_list<RenderView*>{face_, curves_})
+    connect(view, &RenderView::cameraMoved, this, &ViewArea::cameraMoved);
   connect(comparison_, &Comparison::changed, this, &ViewArea::followComparison);
   connect(comparison_, &Comparison::measured, this, &ViewArea::showDifference);
 }
@@ -82,6 +84,7 @@ QWidget* ViewArea::displayRow() {
   auto* bar = new ColoringBar(coloring_, row);
   faceKey_ = coloring_->key();
   faceFrame_->addBelow(faceKey_);
+  connect(bar, &ColoringBar::colorChosen, this, &ViewArea::colorChosen);
   connect(bar, &ColoringBar::curvesToggled, this, [this](bool on) {
     curvesOn_ = on;
     showCurves();
@@ -153,6 +156,7 @@ void ViewArea::addOther() {
   other_ = new FaceView(comparison_->other());
   other_->setObjectName("otherFaceView");
   other_->setMesh(face_->mesh());
+  connect(other_, &RenderView::cameraMoved, this, &ViewArea::cameraMoved);
   otherFrame_ = new ViewFrame(QString(), other_, this);
   coloring_->setOther(other_);
   otherFrame_->addBelow(coloring_->key());

@@ -42,6 +42,10 @@ class ViewArea : public QWidget {
   void look(RenderView::Side side);
   void useTheme();
 
+ signals:
+  void cameraMoved();  ///< of any of the views
+  void colorChosen();  ///< by the user
+
  protected:
   void resizeEvent(QResizeEvent* event) override;
 

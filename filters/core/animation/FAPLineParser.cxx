@@ -89,6 +89,7 @@ FAPLineParser::Fault FAPLineParser::readFirstLine() {
 
 FAPLineParser::Fault FAPLineParser::readHeader() {
   hasHeader_ = rateIsKnown_ = true;
+  if (!parseNumber(entries_.front())) return "not a .fap file: line 1 must read like `2.1 name 25 108`";
   if (entries_.size() < 3) return "the header is incomplete; it is VERSION NAME FRAMES_PER_SECOND FRAME_COUNT";
   const std::string_view count = entries_.back();
   Fault fault = readVersion(entries_.front());

@@ -12,6 +12,7 @@ using ordered = nlohmann::ordered_json;
 
 constexpr const char* format = "mien session";
 constexpr const char* faceStateKey = "mien_face_state";
+constexpr const char* advice = "; open an earlier copy";
 constexpr int deepest = 32;  // levels; a session has seven, and copies of far deeper ones would exhaust the stack
 
 std::string lineOf(const std::string& text, size_t byte) {
@@ -36,7 +37,8 @@ std::string readSession(const std::string& text, json& session) {
   try {
     document = json::parse(text, isShallow);
   } catch (const json::parse_error& error) {
-    return "line " + lineOf(text, error.byte) + " is damaged: no JSON from there on";
+    if (error.byte > text.size()) return "it ends at line " + lineOf(text, error.byte) + " (cut off?)" + advice;
+    return "line " + lineOf(text, error.byte) + " is damaged: no JSON from there on" + advice;
   } catch (const json::exception&) {
     return "it holds a number that is too large";
   }
