@@ -49,10 +49,11 @@ bool FloatingBars::eventFilter(QObject* watched, QEvent* event) {
 
 void FloatingBars::place() {
   const int left = area_->mapTo(parent_, QPoint()).x();
-  const int width = std::min(mostWidth, area_->width() - 2 * edge);
+  const int most = std::min(mostWidth, area_->width() - 2 * edge);
   int bottom = foot_->mapTo(parent_, QPoint()).y() + foot_->height() - edge;
   for (QWidget* bar : bars_) {
     if (bar->isHidden()) continue;
+    const int width = std::min(most, bar->maximumWidth());
     const int height = heightOf(*bar, width);
     bar->setGeometry(left + (area_->width() - width) / 2, std::max(0, bottom - height), width, height);
     bar->raise();
