@@ -143,7 +143,7 @@ TEST_F(WidgetReach, AButtonWithTheFocusHasARing) {
 
 /// In the rows above the views.
 TEST_F(WidgetReach, TabGoesFromLeftToRight) {
-  for (const char* first : {"colorBy", "faceMesh", "curvePoints"}) {
+  for (const char* first : {"faceCurves", "faceMesh", "curvePoints"}) {
     auto* begin = find<QWidget>(first);
     const int top = begin->mapTo(window.get(), begin->rect().center()).y();
     int right = -1, count = 0;
@@ -151,7 +151,7 @@ TEST_F(WidgetReach, TabGoesFromLeftToRight) {
     do {
       const QPoint at = widget->mapTo(window.get(), widget->rect().center());
       const bool isInRow = isInput(widget) && widget->isVisible() && std::abs(at.y() - top) < 8 &&
-                           (widget->parentWidget() == begin->parentWidget() || first == std::string("colorBy"));
+                           (widget->parentWidget() == begin->parentWidget() || first == std::string("faceCurves"));
       if (isInRow) {
         EXPECT_GT(at.x(), right) << widget->objectName().toStdString();
         right = at.x();

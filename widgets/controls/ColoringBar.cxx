@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <algorithm>
+#include <iterator>
 
 #include "FaceColoring.h"
 #include "SessionPart.h"
@@ -51,14 +52,14 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
   row->setSpacing(3);
   auto* label = new QLabel(tr("Co&lour by"), this);
   label->setBuddy(choice_);
-  for (QWidget* widget : std::initializer_list<QWidget*>{label, choice_, automatic_, begin_, to_, end_})
-    row->addWidget(widget);
   QToolButton* curves = toggle("faceCurves", tr("Curves"), tr("The 29 boundary curves as lines on the face"));
   QToolButton* names =
       toggle("faceCurveNames", tr("Names"),
              tr("The names of the curves beside the face: C1 .. C28, and C22', the lower lip's inner contour"));
-  row->addWidget(curves);
-  row->addWidget(names);
+  for (QWidget* widget : std::initializer_list<QWidget*>{curves, names, label, choice_, automatic_, begin_, to_, end_})
+    row->addWidget(widget);
+  QWidget* const inputs[] = {curves, names, choice_, automatic_, begin_, end_};
+  for (size_t i = 1; i < std::size(inputs); ++i) setTabOrder(inputs[i - 1], inputs[i]);
   connect(curves, &QToolButton::toggled, this, &ColoringBar::curvesToggled);
   connect(names, &QToolButton::toggled, this, &ColoringBar::namesToggled);
   connect(choice_, &QComboBox::currentTextChanged, coloring_, &FaceColoring::choose);
