@@ -144,11 +144,12 @@ TEST_F(ScanPanel, AScanGivesWayToColoursThatHaveAMeaning) {
   EXPECT_LT(view->camera()->GetDistance(), framed);
 }
 
-/// A leads, with all that it shows.
+/// A leads, with all that it shows; where both headers have one row, the views are of one size.
 TEST_F(ScanPanel, WithAScanBothFacesOfAComparisonAreOfOneScale) {
   MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
   openSubject();
   ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
+  window->resize(1600, 900);
   emit find<QComboBox>("compareWith")->activated(1);
   settle();
   const auto scale = [&](const char* name) {
@@ -159,7 +160,7 @@ TEST_F(ScanPanel, WithAScanBothFacesOfAComparisonAreOfOneScale) {
     find<QComboBox>("colorBy")->setCurrentText(coloring);
     settle();
     EXPECT_NEAR(scale("otherFaceView"), scale("faceView"), 0.01 * scale("faceView")) << coloring;
-    window->resize(1400, 900);
+    window->resize(1640, 950);
     settle();
     EXPECT_NEAR(scale("otherFaceView"), scale("faceView"), 0.01 * scale("faceView")) << coloring << ", resized";
   }
