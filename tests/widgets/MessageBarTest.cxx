@@ -72,6 +72,19 @@ TEST_F(MessageBar, ANoteLeavesByItselfAndAnErrorStays) {
   EXPECT_TRUE(bar->isVisible());
 }
 
+TEST_F(MessageBar, ANoteIsAsWideAsItsTextAndCoversNoKey) {
+  auto* bar = find<mien::MessageBar>("messageBar");
+  bar->showNote("One was written.", QString());
+  settle();
+  EXPECT_LT(bar->width(), 400);
+  const int bottom = bar->mapTo(window.get(), QPoint(0, bar->height())).y();
+  EXPECT_LE(bottom, find<QWidget>("curveScale")->mapTo(window.get(), QPoint()).y());
+  const int narrow = bar->width();
+  bar->showNote(QString("Many words were written. ").repeated(3), QString());
+  settle();
+  EXPECT_GT(bar->width(), narrow + 100);
+}
+
 TEST_F(MessageBar, TheLogShowsTheNewestFirstWithDetailsAndIsCopied) {
   auto* bar = find<mien::MessageBar>("messageBar");
   bar->showNote("One was written.", "/somewhere/one");

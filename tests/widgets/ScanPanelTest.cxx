@@ -116,6 +116,56 @@ TEST_F(ScanPanel, AScanOverTheFaceIsFramedSwitchedAndClosed) {
   EXPECT_NEAR(view->camera()->GetDistance(), alone, 1e-9 * alone);
 }
 
+/// Seen through a scan, no colour would be that of its scale.
+TEST_F(ScanPanel, AScanGivesWayToColoursThatHaveAMeaning) {
+  MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
+  openSubject();
+  ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
+  auto* view = find<mien::FaceView>("faceView");
+  auto* shown = find<QToolButton>("faceScan");
+  const auto actors = [&] { return view->renderer()->GetActors()->GetNumberOfItems(); };
+  const int both = actors();
+  const double framed = view->camera()->GetDistance();
+  find<QComboBox>("colorBy")->setCurrentText("Mean curvature H (1/mm)");
+  settle();
+  EXPECT_EQ(actors(), both - 1);
+  EXPECT_LT(view->camera()->GetDistance(), framed) << "the camera does not keep room for what is hidden";
+  EXPECT_FALSE(shown->isEnabled());
+  EXPECT_FALSE(find<QCheckBox>("scanVisible")->isEnabled());
+  EXPECT_TRUE(shown->toolTip().contains("tint")) << shown->toolTip().toStdString();
+  find<QComboBox>("colorBy")->setCurrentText("Skin");
+  settle();
+  EXPECT_EQ(actors(), both);
+  EXPECT_TRUE(shown->isEnabled());
+  EXPECT_NEAR(view->camera()->GetDistance(), framed, 1e-9 * framed);
+  find<QComboBox>("scanDistances")->setCurrentIndex(1);
+  ASSERT_TRUE(waitUntil([&] { return report().startsWith("Face to scan"); }, longest));
+  EXPECT_FALSE(shown->isEnabled());
+  EXPECT_LT(view->camera()->GetDistance(), framed);
+}
+
+/// A leads, with all that it shows; where both headers have one row, the views are of one size.
+TEST_F(ScanPanel, WithAScanBothFacesOfAComparisonAreOfOneScale) {
+  MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
+  openSubject();
+  ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
+  window->resize(1600, 900);
+  emit find<QComboBox>("compareWith")->activated(1);
+  settle();
+  const auto scale = [&](const char* name) {
+    auto* view = find<mien::FaceView>(name);
+    return view->camera()->GetDistance() / view->height();  // as the angle of view is one
+  };
+  for (const char* coloring : {"Difference of A and B (mm)", "Skin"}) {
+    find<QComboBox>("colorBy")->setCurrentText(coloring);
+    settle();
+    EXPECT_NEAR(scale("otherFaceView"), scale("faceView"), 0.01 * scale("faceView")) << coloring;
+    window->resize(1640, 950);
+    settle();
+    EXPECT_NEAR(scale("otherFaceView"), scale("faceView"), 0.01 * scale("faceView")) << coloring << ", resized";
+  }
+}
+
 TEST_F(ScanPanel, CancellingLeavesNoScan) {
   MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
   panel->open(QString::fromStdString(referencePath("heads/subject01_neutral.ply")));

@@ -14,6 +14,7 @@
 #include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QTabBar>
+#include <cmath>
 #include <map>
 
 #include "StudioFixture.h"
@@ -116,6 +117,69 @@ void expectClearMenu(const QMenu& menu) {
     if (action->menu()) expectClearMenu(*action->menu());
   }
   expectOnce(uses, menu.title().toStdString());
+}
+
+/// A ring of two pixels, on buttons that are flat, framed, or on.
+TEST_F(WidgetReach, AButtonWithTheFocusHasARing) {
+  QApplication::setActiveWindow(window.get());
+  for (const char* name : {"lookFront", "curvePoints", "curveHead", "surfaceReset", "expression_joy"}) {
+    auto* button = find<QAbstractButton>(name);
+    window->setFocus();
+    settle();
+    const QImage before = button->grab().toImage();
+    button->setFocus();
+    settle();
+    const QImage after = button->grab().toImage();
+    ASSERT_EQ(after.size(), before.size());
+    const int middle = after.height() / 2;
+    for (int x : {0, 1, after.width() - 2, after.width() - 1}) {
+      const QColor ring = after.pixelColor(x, middle), inside = after.pixelColor(4, middle);
+      const double contrast = std::abs(qGray(ring.rgb()) - qGray(inside.rgb()));
+      EXPECT_GT(contrast, 60.0) << name << " at " << x;
+    }
+    EXPECT_EQ(after.pixelColor(4, middle), before.pixelColor(4, middle)) << name;
+  }
+}
+
+/// In the rows above the views.
+TEST_F(WidgetReach, TabGoesFromLeftToRight) {
+  for (const char* first : {"faceCurves", "faceMesh", "curvePoints"}) {
+    auto* begin = find<QWidget>(first);
+    const int top = begin->mapTo(window.get(), begin->rect().center()).y();
+    int right = -1, count = 0;
+    QWidget* widget = begin;
+    do {
+      const QPoint at = widget->mapTo(window.get(), widget->rect().center());
+      const bool isInRow = isInput(widget) && widget->isVisible() && std::abs(at.y() - top) < 8 &&
+                           (widget->parentWidget() == begin->parentWidget() || first == std::string("faceCurves"));
+      if (isInRow) {
+        EXPECT_GT(at.x(), right) << widget->objectName().toStdString();
+        right = at.x();
+        ++count;
+      }
+      widget = widget->nextInFocusChain();
+    } while (widget != begin);
+    EXPECT_GE(count, 4) << first;
+  }
+}
+
+/// Views that jump cannot be compared by eye.
+TEST_F(WidgetReach, ChoosingAColouringMovesNoView) {
+  auto* view = find<QWidget>("faceView");
+  auto* row = find<QWidget>("coloringBar");
+  for (int width : {1280, 1366, 1920}) {
+    window->resize(width, 800);
+    settle();
+    find<QComboBox>("colorBy")->setCurrentText("Skin");
+    settle();
+    const QPoint before = view->mapTo(window.get(), QPoint());
+    const int compared = find<QWidget>("compareWith")->mapTo(window.get(), QPoint()).y();
+    EXPECT_LT(std::abs(compared - row->mapTo(window.get(), QPoint()).y()), 8) << "one row at " << width;
+    find<QComboBox>("colorBy")->setCurrentText("Curvature \u03ba1 (1/mm)");
+    settle();
+    EXPECT_TRUE(find<QWidget>("colorEnd")->isVisible());
+    EXPECT_EQ(view->mapTo(window.get(), QPoint()), before) << width;
+  }
 }
 
 TEST_F(WidgetReach, NoTwoMenuEntriesHaveOneLetter) {

@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QTabBar>
 #include <QTemporaryDir>
+#include <algorithm>
 
 #include "SessionDocument.h"
 #include "StudioFixture.h"
@@ -127,6 +128,27 @@ TEST_F(Workspaces, ALargeWindowHasDocksBesideEachOtherAndTheFAPs) {
     EXPECT_FALSE(dock(left)->visibleRegion().isEmpty()) << left;
     EXPECT_FALSE(dock(right)->visibleRegion().isEmpty()) << right;
     EXPECT_NEAR(dock(left)->width(), dock(right)->width(), 20);
+  }
+}
+
+/// Whatever sizes the window has had.
+TEST_F(Workspaces, DocksOfAFixedHeightLeaveNoHoles) {
+  for (const QSize& size : {QSize(1900, 1150), QSize(1280, 800), QSize(1280, 1100), QSize(1600, 900)}) {
+    window->resize(size);
+    settle();
+    for (int i : {1, 2, 3, 4}) {
+      choose(i);
+      settle();
+      int bottom = 0;
+      for (const char* name : {"surfaceDock", "expressionDock", "fapDock"})
+        if (dock(name)->isVisible()) bottom = std::max(bottom, dock(name)->geometry().bottom());
+      for (const char* name : {"surfaceDock", "expressionDock"}) {
+        const bool takesTheRest = dock(name)->geometry().bottom() == bottom && !dock("fapDock")->isVisible();
+        if (dock(name)->isVisible() && !takesTheRest)
+          EXPECT_LE(dock(name)->height(), dock(name)->sizeHint().height() + 2)
+              << name << " in " << i << " at " << size.width() << " x " << size.height();
+      }
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <algorithm>
+#include <iterator>
 
 #include "FaceColoring.h"
 #include "SessionPart.h"
@@ -16,8 +17,22 @@ namespace mien {
 namespace {
 
 constexpr double largestValue = 1e6;
-constexpr int decimals = 4, fieldWidth = 62;  // digits, pixels
-constexpr int usualLetters = 17, mostLetters = 31;
+constexpr int mostDecimals = 6, fieldWidth = 58;  // digits, pixels
+constexpr int usualLetters = 20, mostLetters = 31;
+
+/// A number with the digits that say something: "0.05", not "0.050000".
+class NumberBox : public QDoubleSpinBox {
+ public:
+  using QDoubleSpinBox::QDoubleSpinBox;
+
+  QString textFromValue(double value) const override {
+    QString text = locale().toString(value, 'f', decimals());
+    text.remove(locale().groupSeparator());
+    while (text.endsWith('0')) text.chop(1);
+    if (text.endsWith(locale().decimalPoint())) text.chop(1);
+    return text == "-0" ? QString("0") : text;
+  }
+};
 
 }  // namespace
 
@@ -28,22 +43,23 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
       automatic_(toggle("colorAutomatic", tr("Auto"),
                         tr("The range follows the face: it grows with the values and never shrinks; press twice to fit "
                            "it to the present face"))),
-      begin_(new QDoubleSpinBox(this)),
-      end_(new QDoubleSpinBox(this)) {
+      begin_(new NumberBox(this)),
+      to_(new QLabel(tr("\u2013"), this)),
+      end_(new NumberBox(this)) {
   setObjectName("coloringBar");
   describe();
   auto* row = new WrappingRow(this);
-  row->setSpacing(4);
+  row->setSpacing(3);
   auto* label = new QLabel(tr("Co&lour by"), this);
   label->setBuddy(choice_);
-  for (QWidget* widget : std::initializer_list<QWidget*>{label, choice_, automatic_, begin_, end_})
-    row->addWidget(widget);
-  QToolButton* curves = toggle("faceCurves", tr("Curve lines"), tr("The 29 boundary curves as lines on the face"));
+  QToolButton* curves = toggle("faceCurves", tr("Curves"), tr("The 29 boundary curves as lines on the face"));
   QToolButton* names =
       toggle("faceCurveNames", tr("Names"),
              tr("The names of the curves beside the face: C1 .. C28, and C22', the lower lip's inner contour"));
-  row->addWidget(curves);
-  row->addWidget(names);
+  for (QWidget* widget : std::initializer_list<QWidget*>{curves, names, label, choice_, automatic_, begin_, to_, end_})
+    row->addWidget(widget);
+  QWidget* const inputs[] = {curves, names, choice_, automatic_, begin_, end_};
+  for (size_t i = 1; i < std::size(inputs); ++i) setTabOrder(inputs[i - 1], inputs[i]);
   connect(curves, &QToolButton::toggled, this, &ColoringBar::curvesToggled);
   connect(names, &QToolButton::toggled, this, &ColoringBar::namesToggled);
   connect(choice_, &QComboBox::currentTextChanged, coloring_, &FaceColoring::choose);
@@ -70,17 +86,24 @@ void ColoringBar::describe() {
   choice_->setMinimumContentsLength(usualLetters);
   automatic_->setChecked(true);
   begin_->setObjectName("colorBegin");
-  begin_->setToolTip(tr("The value that has the first colour, in the unit of the colour bar"));
+  begin_->setAccessibleName(tr("First colour"));
   end_->setObjectName("colorEnd");
-  end_->setToolTip(tr("The value that has the last colour, in the unit of the colour bar"));
+  end_->setAccessibleName(tr("Last colour"));
   for (QDoubleSpinBox* box : {begin_, end_}) {
     box->setRange(-largestValue, largestValue);
-    box->setDecimals(decimals);
+    box->setDecimals(mostDecimals);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     box->setKeyboardTracking(false);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons);
     box->setFixedWidth(fieldWidth);
   }
+}
+
+/// Views that move when a colour is chosen cannot be compared by eye.
+void ColoringBar::keepPlace(QWidget* widget, bool keep) {
+  QSizePolicy policy = widget->sizePolicy();
+  policy.setRetainSizeWhenHidden(keep);
+  widget->setSizePolicy(policy);
 }
 
 QToolButton* ColoringBar::toggle(const QString& name, const QString& text, const QString& toolTip) {
@@ -113,14 +136,22 @@ void ColoringBar::follow() {
   choice_->setCurrentIndex(choice_->findText(coloring_->chosen()));
   choice_->setProperty(notInSession, !coloring_->ofDock().isEmpty());  // the dock's own settings show it again
   automatic_->setChecked(coloring_->isAutomatic());
-  for (QWidget* widget : std::initializer_list<QWidget*>{automatic_, begin_, end_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{automatic_, begin_, to_, end_}) {
+    keepPlace(widget, coloring_->ofDock().isEmpty());
     widget->setVisible(coloring_->isNumbers());
+  }
   for (QWidget* widget : {begin_, end_}) {
     widget->setEnabled(!coloring_->isAutomatic());
     widget->setProperty(notInSession, coloring_->isAutomatic());  // as it follows the face
   }
+  showRange();
+}
+
+void ColoringBar::showRange() {
   begin_->setValue(coloring_->begin());
   end_->setValue(coloring_->end());
+  begin_->setToolTip(tr("The value that has the first colour, in the unit of %1").arg(coloring_->chosen()));
+  end_->setToolTip(tr("The value that has the last colour, in the unit of %1").arg(coloring_->chosen()));
 }
 
 }  // namespace mien

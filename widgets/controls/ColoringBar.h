@@ -5,6 +5,7 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
+class QLabel;
 class QToolButton;
 
 namespace mien {
@@ -26,6 +27,8 @@ class ColoringBar : public QWidget {
 
  private:
   void describe();
+  static void keepPlace(QWidget* widget, bool keep);
+  void showRange();
   QToolButton* toggle(const QString& name, const QString& text, const QString& toolTip);
   void list();
   void follow();
@@ -33,7 +36,9 @@ class ColoringBar : public QWidget {
   FaceColoring* coloring_;
   QComboBox* choice_;
   QToolButton* automatic_;
-  QDoubleSpinBox *begin_, *end_;
+  QDoubleSpinBox* begin_;
+  QLabel* to_;
+  QDoubleSpinBox* end_;
 };
 
 }  // namespace mien

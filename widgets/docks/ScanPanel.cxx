@@ -109,7 +109,7 @@ void ScanPanel::describeButtons() {
   unit_->setToolTip(tr("What the scan's lengths are in, where that is not recognised"));
   visible_->setObjectName("scanVisible");
   visible_->setChecked(true);
-  visible_->setToolTip(tr("The scan over the face, translucent"));
+  tellVisible();
   progress_->setObjectName("scanProgress");
   progress_->setFixedWidth(120);
   report_->setObjectName("scanReport");
@@ -150,6 +150,7 @@ void ScanPanel::connectButtons() {
   connect(adopt_, &QToolButton::clicked, this, &ScanPanel::chooseAdopted);
   connect(unit_, qOverload<int>(&QComboBox::activated), this, &ScanPanel::measure);
   connect(visible_, &QCheckBox::toggled, this, &ScanPanel::showScan);
+  connect(view_, &FaceView::overlayChanged, this, &ScanPanel::followOverlay);
   connect(cancel_, &QToolButton::clicked, task_, &BackgroundTask::cancel);
   connect(task_, &BackgroundTask::progressed, progress_, &QProgressBar::setValue);
   connect(task_, &BackgroundTask::runningChanged, this, &ScanPanel::showReport);
@@ -322,8 +323,8 @@ void ScanPanel::showReport() {
   progress_->setVisible(running);
   cancel_->setVisible(running);
   adopt_->setEnabled(curves_ && !running);
-  for (QWidget* control : std::initializer_list<QWidget*>{visible_, subject_, largest_, frontal_})
-    control->setEnabled(scan_);
+  visible_->setEnabled(scan_ && !isHiddenByColors());
+  for (QWidget* control : std::initializer_list<QWidget*>{subject_, largest_, frontal_}) control->setEnabled(scan_);
   QString text =
       text_.isEmpty() ? tr("A scan opened here or dropped onto the dock is measured and shown over the face.") : text_;
   if (running) text = tr("Measuring %1 ...").arg(QFileInfo(file_).fileName());
@@ -331,11 +332,36 @@ void ScanPanel::showReport() {
   if (text != report_->toPlainText()) report_->setPlainText(text);
 }
 
-/// Where the scan itself is coloured by distances, the plain one would cover it.
+/// Seen through a scan, colours of the face would not be those of their scale; and a scan that is coloured by distances
+/// itself would be covered by the plain one.
+bool ScanPanel::isHiddenByColors() const {
+  return colored_ || map_->subject() != DistanceMap::Subject::None;
+}
+
+void ScanPanel::tellVisible() {
+  visible_->setToolTip(isHiddenByColors() ? tr("Not over a face whose colours have a meaning: it would tint them. It "
+                                               "comes back with \"Skin\" and \"Photograph\"")
+                                          : tr("The scan over the face, translucent; hidden while the face has colours "
+                                               "with a meaning, which it would tint"));
+}
+
+/// A camera that nobody has placed takes in what is there.
+void ScanPanel::followOverlay(const QObject* overlay) {
+  const bool changes = colored_ != (overlay != nullptr);
+  colored_ = overlay != nullptr;
+  if (!changes) return;
+  showScan();
+  showReport();
+  if (scan_ && visible_->isChecked() && !view_->isMoved()) view_->fit();
+}
+
 void ScanPanel::showScan() {
   view_->renderer()->RemoveActor(actor_);
-  view_->setCompany(scan_ && visible_->isChecked() ? scan_->GetBounds() : nullptr);
-  if (scan_ && visible_->isChecked() && map_->subject() == DistanceMap::Subject::None) {
+  tellVisible();
+  const bool isOpen = scan_ && visible_->isChecked(), isPlain = isOpen && !isHiddenByColors();
+  const bool isColored = scan_ && map_->subject() == DistanceMap::Subject::Scan;
+  view_->setCompany(isPlain || isColored ? scan_->GetBounds() : nullptr);
+  if (isPlain) {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(scan_);
     mapper->ScalarVisibilityOff();

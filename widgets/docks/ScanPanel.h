@@ -67,6 +67,9 @@ class ScanPanel : public QWidget, public SessionPart {
   void showLandmarkFile();
   void showReport();
   void showScan();
+  bool isHiddenByColors() const;
+  void tellVisible();
+  void followOverlay(const QObject* overlay);
 
   FaceModel* model_;
   FaceView* view_;
@@ -81,7 +84,8 @@ class ScanPanel : public QWidget, public SessionPart {
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> curves_, scan_;
   QString file_, landmarkFile_, text_;
-  QString framed_;  ///< the scan that the camera has been moved back for
+  bool colored_ = false;  ///< whether colours on the face mean something
+  QString framed_;        ///< the scan that the camera has been moved back for
 };
 
 }  // namespace mien

@@ -30,7 +30,7 @@ using json = nlohmann::json;
 constexpr const char* kindNames[] = {"none", "state", "scheme", "mesh"};
 
 QString wayText(const QString& way, const DistanceSummary& summary) {
-  return Comparison::tr("%1: RMS %2, 95 % below %3, largest %4 mm")
+  return Comparison::tr("%1: RMS %2 mm, 95 % %3 mm, max %4 mm")
       .arg(way)
       .arg(summary.rms, 0, 'f', 2)
       .arg(summary.percentile95, 0, 'f', 2)

@@ -15,6 +15,7 @@ namespace {
 constexpr int keySide = 12, keyGap = 12, keyBarHeight = 9, keyAbove = 6, keyTick = 3, keyBelow = 4;  // pixels
 constexpr int leastBar = 80, swatch = 14;
 constexpr int stops = 32;
+constexpr double pointed = 8.0;  // pixels, length of an end beyond which there are values
 
 QString patchText(int patch) {
   const int first = FaceLayout::firstCurve[patch], last = first + FaceLayout::curvesPerPatch - 1;
@@ -42,7 +43,9 @@ QSize ColorKey::minimumSizeHint() const {
 void ColorKey::showScale(const ColorLegend::Scale& scale) {
   shown_ = Shown::Scale;
   scale_ = scale;
-  setToolTip(tr("%1: what lies beyond an end of the scale has the colour of that end").arg(scale.title));
+  setToolTip(tr("%1: what lies beyond an end of the scale has the colour of that end; there are such values where the "
+                "end is pointed")
+                 .arg(scale.title));
   show();
   update();
 }
@@ -74,7 +77,12 @@ void ColorKey::paintScale(QPainter& painter) const {
     colors.setColorAt(i / double(stops), ColorLegend::colorAt(scale_.colors, i / double(stops)));
   painter.setPen(QPen(theme.line, 1.0));
   painter.setBrush(colors);
-  painter.drawRect(bar);
+  QPolygonF shape;
+  shape << bar.topLeft() << bar.topRight();
+  if (scale_.exceeded) shape << QPointF(bar.right() + pointed, bar.center().y());
+  shape << bar.bottomRight() << bar.bottomLeft();
+  if (scale_.undercut) shape << QPointF(bar.left() - pointed, bar.center().y());
+  painter.drawPolygon(shape);
   painter.setPen(theme.text);
   painter.drawText(QPointF(keySide, keyAbove + keyBarHeight / 2.0 + metrics.ascent() / 2.0 - 1.0), title);
   for (double share : {0.0, 0.5, 1.0}) {

@@ -29,6 +29,12 @@ QColor divergingAt(double share) {
 
 }  // namespace
 
+void ColorLegend::Scale::mark(const double range[2]) {
+  const double rounding = 1e-9 * (end - begin);
+  undercut = undercut || range[0] < begin - rounding;
+  exceeded = exceeded || range[1] > end + rounding;
+}
+
 ColorLegend::ColorLegend() {
   colors_->SetNanColor(0.5, 0.5, 0.5, 1.0);
 }

@@ -24,6 +24,8 @@ class ColorLegend {
     QString title;  ///< with unit
     double begin = 0.0, end = 1.0;
     Colors colors = Colors::Sequential;
+    void mark(const double range[2]);         ///< tells whether values of that range lie outside
+    bool undercut = false, exceeded = false;  ///< whether values lie before its begin, beyond its end
   };
 
   ColorLegend();

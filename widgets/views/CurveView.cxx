@@ -2,13 +2,19 @@
 
 #include <vtkActor.h>
 #include <vtkBoundaryCurveReader.h>
+#include <vtkCamera.h>
+#include <vtkCellArray.h>
+#include <vtkCommand.h>
+#include <vtkIdList.h>
 #include <vtkLookupTable.h>
+#include <vtkMath.h>
 #include <vtkPointData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "CurveMovement.h"
 #include "FaceModel.h"
@@ -22,6 +28,8 @@ namespace mien {
 namespace {
 
 constexpr float lineWidth = 2.0f, pointSize = 5.0f, neutralWidth = 1.0f;  // pixels
+constexpr float leastPoint = 2.0f;    // pixels: a smaller one is not told from the line
+constexpr double spacingShare = 0.4;  // of a point: more, and points make one thick line
 constexpr int colorSteps = 256;
 constexpr double skinBehind = 60.0;  // depth units by which the skin lies behind the curves on it
 
@@ -39,6 +47,23 @@ vtkSmartPointer<vtkPolyDataMapper> curveMapper(vtkPolyData* curves, vtkLookupTab
   return mapper;
 }
 
+/// Between the points of curves, in mm.
+double meanSpacing(vtkPolyData* curves) {
+  double length = 0.0;
+  vtkIdType segments = 0;
+  vtkNew<vtkIdList> line;
+  for (vtkIdType cell = 0; cell < curves->GetLines()->GetNumberOfCells(); ++cell) {
+    curves->GetLines()->GetCellAtId(cell, line);
+    for (vtkIdType i = 1; i < line->GetNumberOfIds(); ++i, ++segments) {
+      double a[3], b[3];
+      curves->GetPoint(line->GetId(i - 1), a);
+      curves->GetPoint(line->GetId(i), b);
+      length += std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
+    }
+  }
+  return segments > 0 ? length / segments : 0.0;
+}
+
 }  // namespace
 
 CurveView::CurveView(FaceModel* model, QWidget* parent) : RenderView(model, parent) {
@@ -49,6 +74,7 @@ CurveView::CurveView(FaceModel* model, QWidget* parent) : RenderView(model, pare
   addCurves();
   dress();
   connect(model, &FaceModel::updated, this, &CurveView::follow);
+  renderer()->AddObserver(vtkCommand::StartEvent, this, &CurveView::sizePoints);
   follow();
 }
 
@@ -95,6 +121,7 @@ void CurveView::follow() {
   auto* shown = vtkPolyData::SafeDownCast(model().pipeline().shownCurves()->GetOutputDataObject(0));
   if (!shown) return;
   curves_->ShallowCopy(shown);
+  spacing_ = meanSpacing(shown);
   const auto movement = curveMovement(shown, !withHead_);
   if (movement) curves_->GetPointData()->AddArray(movement);
   most_ = movement && movement->GetNumberOfTuples() > 0 ? movement->GetRange()[1] : 0.0;
@@ -149,8 +176,19 @@ void CurveView::dress() {
 }
 
 void CurveView::setPointsVisible(bool visible) {
-  points_->SetVisibility(visible);
+  pointsOn_ = visible;
   redraw();
+}
+
+/// Before each picture, as the camera may have moved, or the picture be an enlarged one.
+void CurveView::sizePoints() {
+  const double high = renderer()->GetSize()[1], enlarged = high / std::max(1, height());
+  const double extent =
+      2.0 * camera()->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera()->GetViewAngle()));
+  const double apart = spacing_ * high / std::max(1e-9, extent);
+  const double size = std::min(enlarged * pointSize, spacingShare * apart);
+  points_->GetProperty()->SetPointSize(static_cast<float>(size));
+  points_->SetVisibility(pointsOn_ && size >= enlarged * leastPoint);
 }
 
 void CurveView::setNeutralVisible(bool visible) {

@@ -78,8 +78,8 @@ const std::vector<FaceArray>& FaceArray::onDemand() {
   static const std::vector<FaceArray> arrays = {
       {"MeanCurvature", -1, false, QObject::tr("Mean curvature H (1/mm)")},
       {"GaussianCurvature", -1, false, QObject::tr("Gaussian curvature K (1/mm\u00b2)")},
-      {"MaximumCurvature", -1, false, QObject::tr("Largest curvature \u03ba1 (1/mm)")},
-      {"MinimumCurvature", -1, false, QObject::tr("Smallest curvature \u03ba2 (1/mm)")},
+      {"MaximumCurvature", -1, false, QObject::tr("Curvature \u03ba1 (1/mm)")},
+      {"MinimumCurvature", -1, false, QObject::tr("Curvature \u03ba2 (1/mm)")},
       {"Su", -1, false, QObject::tr("Length of S_u (mm)")},
       {"Sv", -1, false, QObject::tr("Length of S_v (mm)")},
   };
@@ -119,6 +119,14 @@ std::pair<double, double> FaceArray::spread(vtkPolyData* surface) const {
   };
   const double low = at(tail), high = at(1.0 - tail);
   return {low, high};
+}
+
+std::pair<double, double> FaceArray::range(vtkPolyData* surface) const {
+  vtkDataArray* array = find(surface);
+  if (!array || array->GetNumberOfTuples() == 0) return {0.0, 0.0};
+  double ends[2];
+  array->GetFiniteRange(ends, component < 0 && array->GetNumberOfComponents() == 1 ? 0 : component);
+  return {ends[0], ends[1]};
 }
 
 }  // namespace mien

@@ -31,6 +31,7 @@ struct FaceArray {
 
   /// Where 96 % of its finite values lie: a few at lids and mouth corners are larger by far. {0, 0} without any.
   std::pair<double, double> spread(vtkPolyData* surface) const;
+  std::pair<double, double> range(vtkPolyData* surface) const;  ///< of all finite values
 };
 
 }  // namespace mien

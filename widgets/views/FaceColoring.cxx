@@ -284,8 +284,14 @@ void FaceColoring::paintSide(size_t side) {
   vtkPolyData* shown = colored()[side];
   vtkPolyData* mesh = side == 0 ? nullptr : comparison_->mesh();
   const bool isPatches = kind_ == Kind::Patches, mixed = begin_ < 0.0 && end_ > 0.0;
-  const ColorLegend::Scale scale = {array_.title, begin_, end_,
-                                    mixed ? ColorLegend::Colors::Diverging : ColorLegend::Colors::Sequential};
+  ColorLegend::Scale scale = {array_.title, begin_, end_,
+                              mixed ? ColorLegend::Colors::Diverging : ColorLegend::Colors::Sequential};
+  for (vtkPolyData* one : colored()) {  // both sides have one scale, and tell the same of it
+    if (!array_.find(one)) continue;
+    const auto [low, high] = array_.range(one);
+    const double ends[] = {low, high};
+    scale.mark(ends);
+  }
   isPatches ? legend.setPatches() : legend.setScale(scale);
   view->showSurface(kind_ == Kind::Difference && shown ? shown : mesh, mesh != nullptr);
   const bool has = array_.find(shown) != nullptr;

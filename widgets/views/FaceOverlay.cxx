@@ -1,6 +1,8 @@
 #include "FaceOverlay.h"
 
 #include <vtkActor.h>
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -69,10 +71,18 @@ void FaceOverlay::color(vtkPolyDataMapper* mapper, const char* array, const Scal
   legend_.color(mapper);
 }
 
+/// Of a scale that ends before the values do, it is told.
+FaceOverlay::Scale FaceOverlay::marked(vtkPolyData* data, const char* array, const Scale& scale) {
+  Scale told = scale;
+  if (!data) return told;
+  if (vtkDataArray* values = data->GetPointData()->GetArray(array)) told.mark(values->GetFiniteRange(0));
+  return told;
+}
+
 void FaceOverlay::showSurface(vtkPolyData* surface, const char* array, const Scale& scale) {
   color(surfaceMapper_, array, scale);
   surfaceMapper_->SetInputData(surface);
-  show(surface_, false, scale);
+  show(surface_, false, marked(surface, array, scale));
 }
 
 void FaceOverlay::showColors(vtkPolyData* surface, const char* array) {
@@ -92,7 +102,7 @@ void FaceOverlay::showZebra(vtkPolyData* surface) {
 void FaceOverlay::showLines(vtkPolyData* lines, const char* array, const Scale& scale) {
   color(lineMapper_, array, scale);
   lineMapper_->SetInputData(lines);
-  show(lines_, true, scale);
+  show(lines_, true, marked(lines, array, scale));
 }
 
 QString FaceOverlay::words() const {

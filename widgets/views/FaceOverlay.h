@@ -55,6 +55,7 @@ class FaceOverlay : public QObject {
   void useTheme();
   void show(vtkActor* actor, bool withSkin, const std::optional<Scale>& scale);
   void color(vtkPolyDataMapper* mapper, const char* array, const Scale& scale);
+  static Scale marked(vtkPolyData* data, const char* array, const Scale& scale);
   void addZebraShader();
   void remove();
 

@@ -182,6 +182,7 @@ void RenderView::passCamera(const RenderView* except) {
 void RenderView::followReach() {
   if (moved_) return;
   placeCamera();
+  if (!leader_) passCamera();
   redraw();
 }
 
@@ -218,17 +219,23 @@ double RenderView::distanceTo(double width, double height) const {
   return 0.5 * std::max(height, width / aspect) / std::tan(viewAngle * M_PI / 360.0);
 }
 
+const RenderView& RenderView::leader() const {
+  return leader_ ? leader_->leader() : *this;
+}
+
 double RenderView::fittingDistance() const {
-  const Outline outline = outlineFrom(side_, *model_);
+  const Outline outline = outlineFrom(side_, *leader().model_);
   return distanceTo(outline.size(0), outline.size(1));
 }
 
-/// In depth the camera keeps to the face, whatever is shown with it.
+/// In depth the camera keeps to the face, whatever is shown with it. Linked views are of one scale, whatever each
+/// shows.
 void RenderView::placeCamera() {
-  Outline outline = outlineFrom(side_, *model_);
+  const RenderView& lead = leader();
+  Outline outline = outlineFrom(side_, *lead.model_);
   const Axes axes(side_);
   const double depth = outline.middle(2);
-  if (company_) add(axes, *company_, outline);
+  if (lead.company_) add(axes, *lead.company_, outline);
   const double distance = distanceTo(outline.size(0), outline.size(1));
   double focus[3], position[3];
   for (int i = 0; i < 3; ++i) {
@@ -260,6 +267,7 @@ void RenderView::takeCamera(const RenderView* other) {
 
 void RenderView::link(RenderView* other) {
   if (std::find(partners_.begin(), partners_.end(), other) != partners_.end()) return;
+  leader_ = other;
   takeCamera(other);
   partners_.emplace_back(other);
   other->partners_.emplace_back(this);
@@ -269,9 +277,11 @@ void RenderView::unlink() {
   for (const QPointer<RenderView>& partner : partners_)
     if (partner) partner->forget(this);
   partners_.clear();
+  leader_ = nullptr;
 }
 
 void RenderView::forget(const RenderView* other) {
+  if (leader_ == other) leader_ = nullptr;
   partners_.erase(std::remove(partners_.begin(), partners_.end(), other), partners_.end());
 }
 

@@ -42,8 +42,8 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   void setCompany(const double* bounds);
 
   /// Turns and zooms together with the other view, and with all that it is linked with, to the size of each.
-  void link(RenderView* other);
-  void unlink();  ///< from all
+  void link(RenderView* other);  ///< which leads: linked views take in what it does, in one scale
+  void unlink();                 ///< from all
   bool isLinked() const { return !partners_.empty(); }
   bool isMoved() const { return moved_; }  ///< whether the user has placed the camera
   vtkCamera* camera() const;
@@ -73,7 +73,8 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   bool pressKey(int key);
   void placeCamera();
   void followReach();
-  double fittingDistance() const;  ///< from which the whole face fills this view
+  const RenderView& leader() const;  ///< of those that are linked; itself where none is
+  double fittingDistance() const;    ///< from which the whole face fills this view
   double distanceTo(double width, double height) const;
   void takeCamera(const RenderView* other);
   void forget(const RenderView* other);
@@ -83,6 +84,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   vtkNew<vtkGenericOpenGLRenderWindow> window_;
   vtkNew<vtkRenderer> renderer_;
   std::vector<QPointer<RenderView>> partners_;  ///< a tree: no view is reached in two ways
+  QPointer<RenderView> leader_;                 ///< that this was linked with
   std::optional<std::array<double, 6>> company_;
   Side side_ = Side::Front;
   bool moved_ = false, outdated_ = true;

@@ -18,15 +18,16 @@ int heightOf(const QWidget& bar, int width) {
 
 }  // namespace
 
-FloatingBars::FloatingBars(QWidget* area, QWidget* foot, const QList<QWidget*>& bars, QWidget* parent)
-    : QObject(parent), area_(area), foot_(foot), parent_(parent), bars_(bars) {
+FloatingBars::FloatingBars(QWidget* area, const QList<QWidget*>& feet, const QList<QWidget*>& bars, QWidget* parent)
+    : QObject(parent), area_(area), parent_(parent), feet_(feet), bars_(bars) {
   for (QWidget* bar : bars_) {
     const bool isHidden = bar->isHidden();
     bar->setParent(parent);
     bar->setHidden(isHidden);
     bar->installEventFilter(this);
   }
-  for (QWidget* widget : {area, foot}) widget->installEventFilter(this);
+  area->installEventFilter(this);
+  for (QWidget* foot : feet) foot->installEventFilter(this);
 }
 
 bool FloatingBars::eventFilter(QObject* watched, QEvent* event) {
@@ -49,10 +50,13 @@ bool FloatingBars::eventFilter(QObject* watched, QEvent* event) {
 
 void FloatingBars::place() {
   const int left = area_->mapTo(parent_, QPoint()).x();
-  const int width = std::min(mostWidth, area_->width() - 2 * edge);
-  int bottom = foot_->mapTo(parent_, QPoint()).y() + foot_->height() - edge;
+  const int most = std::min(mostWidth, area_->width() - 2 * edge);
+  int bottom = parent_->height();
+  for (const QWidget* foot : feet_)
+    if (foot->isVisible()) bottom = std::min(bottom, foot->mapTo(parent_, QPoint()).y() + foot->height() - edge);
   for (QWidget* bar : bars_) {
     if (bar->isHidden()) continue;
+    const int width = std::min(most, bar->maximumWidth());
     const int height = heightOf(*bar, width);
     bar->setGeometry(left + (area_->width() - width) / 2, std::max(0, bottom - height), width, height);
     bar->raise();

@@ -13,9 +13,9 @@ class FloatingBars : public QObject {
   Q_OBJECT
  public:
   /// @param area  across which they lie, in the middle of it
-  /// @param foot  whose lower edge they stand on
+  /// @param feet  views whose lower edges they stand on, the highest of those seen, so that no key below one is covered
   /// @param bars  become children of `parent`, above all that lies in it
-  FloatingBars(QWidget* area, QWidget* foot, const QList<QWidget*>& bars, QWidget* parent);
+  FloatingBars(QWidget* area, const QList<QWidget*>& feet, const QList<QWidget*>& bars, QWidget* parent);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -23,7 +23,8 @@ class FloatingBars : public QObject {
  private:
   void place();
 
-  QWidget *area_, *foot_, *parent_;
+  QWidget *area_, *parent_;
+  QList<QWidget*> feet_;
   QList<QWidget*> bars_;
 };
 

@@ -112,6 +112,12 @@ void LaboratoryDocks::addScanSwitch(ViewFrame* frame) {
   connect(panel, &ScanPanel::scanChanged, shown, [panel, shown] { shown->setVisible(panel->hasScan()); });
   connect(shown, &QToolButton::toggled, tick, &QCheckBox::setChecked);
   connect(tick, &QCheckBox::toggled, shown, &QToolButton::setChecked);
+  const auto follow = [tick, shown, told = shown->toolTip()] {
+    shown->setEnabled(tick->isEnabled());
+    shown->setToolTip(tick->isEnabled() ? told : tick->toolTip());
+  };
+  connect(view_, &FaceView::overlayChanged, shown, follow);
+  connect(panel, &ScanPanel::scanChanged, shown, follow);
 }
 
 void LaboratoryDocks::addSkinButton(ViewFrame* frame) {

@@ -17,7 +17,8 @@ namespace mien {
 
 namespace {
 
-constexpr int detailsHeight = 90;  // pixels
+constexpr int detailsHeight = 90, spare = 12;  // pixels
+constexpr int lineLetters = 70;                // that are read in noteTime
 
 }  // namespace
 
@@ -71,6 +72,7 @@ void MessageBar::buildButtons(QLayout* row) {
   }
   connect(more_, &QToolButton::toggled, details_, &QWidget::setVisible);
   connect(more_, &QToolButton::toggled, this, &MessageBar::leaveLater);
+  connect(more_, &QToolButton::toggled, this, &MessageBar::fitWidth);
   connect(log, &QToolButton::clicked, this, &MessageBar::showLog);
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
 }
@@ -79,12 +81,24 @@ QString MessageBar::sentence() const {
   return sentence_->text();
 }
 
+/// Not wider than its text, as what lies below is covered; details want room.
+void MessageBar::fitWidth() {
+  if (more_->isChecked()) return setMaximumWidth(QWIDGETSIZE_MAX);
+  const int text = sentence_->fontMetrics().horizontalAdvance(sentence_->text());
+  int buttons = 0;
+  for (const QToolButton* button : findChildren<QToolButton*>())
+    if (!button->isHidden()) buttons += button->sizeHint().width() + layout()->spacing();
+  const QMargins around = layout()->contentsMargins();
+  setMaximumWidth(text + buttons + around.left() + around.right() + spare);
+}
+
 void MessageBar::showError(const QString& sentence, const QString& details) {
   show("error", sentence, details);
 }
 
 void MessageBar::showNote(const QString& sentence, const QString& details) {
   show("note", sentence, details);
+  leaving_->setInterval(noteTime * (1 + sentence.size() / lineLetters));
   leaveLater();
 }
 
@@ -124,6 +138,7 @@ void MessageBar::show(const char* severity, const QString& sentence, const QStri
   details_->setPlainText(details);
   more_->setChecked(false);
   more_->setVisible(!details.isEmpty());
+  fitWidth();
   setVisible(true);
 }
 

@@ -27,7 +27,7 @@ class MessageBar : public QFrame {
   QString sentence() const;
 
   static constexpr int mostKept = 500;   ///< messages, of which the oldest are forgotten
-  static constexpr int noteTime = 6000;  ///< ms that a note stays, enough to read a sentence twice
+  static constexpr int noteTime = 3000;  ///< ms that a note of one line stays; one of two lines twice as long
   const std::vector<Message>& log() const { return log_; }
 
  public slots:
@@ -41,6 +41,7 @@ class MessageBar : public QFrame {
 
  private:
   void leaveLater();
+  void fitWidth();
   void buildButtons(QLayout* row);
   void show(const char* severity, const QString& sentence, const QString& details);
 

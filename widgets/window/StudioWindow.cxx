@@ -138,7 +138,7 @@ QWidget* StudioWindow::centre() {
   column->addWidget(timeline);
   QList<QWidget*> bars = {messages_};
   if (keeper_->autosave()) bars << new RecoveryBar(keeper_->autosave(), keeper_->document(), box);
-  new FloatingBars(views_, face_, bars, box);
+  new FloatingBars(views_, {face_, curves_}, bars, box);
   return box;
 }
 

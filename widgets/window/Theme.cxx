@@ -63,6 +63,13 @@ Theme dark() {
   return theme;
 }
 
+constexpr double tint = 0.22, half = 0.5;  // share of the accent in a button that is on, of the text in a ring of focus
+
+QColor mixed(const QColor& a, const QColor& b, double share) {
+  return QColor::fromRgbF(a.redF() + share * (b.redF() - a.redF()), a.greenF() + share * (b.greenF() - a.greenF()),
+                          a.blueF() + share * (b.blueF() - a.blueF()));
+}
+
 /// Faint, but still to be read.
 QColor disabledText(const Theme& theme) {
   return theme.line.darker(theme.kind == Theme::Kind::Light ? 125 : 60);
@@ -113,16 +120,20 @@ QTabBar::tab:focus { color: @accent; }
 QPushButton { padding: 5px 10px; border: 1px solid @line; border-radius: 4px; background: @panel; }
 QPushButton[compact="true"] { padding: 3px 6px; }
 QPushButton:hover { border-color: @accent; }
-QPushButton:focus { border-color: @accent; }
-QPushButton:checked { background: @accent; color: @accentText; border-color: @accent; }
+QPushButton:checked { background: @tint; color: @text; border-color: @accent; }
+QPushButton:focus { border: 2px solid @ring; padding: 4px 9px; }
+QPushButton[compact="true"]:focus { padding: 2px 5px; }
 QPushButton:disabled { color: @disabled; }
 QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px 5px; background: transparent; }
 QToolButton[framed="true"] { border-color: @line; background: @panel; padding: 4px 6px; }
-QToolButton[framed="true"]:checked { background: @accent; }
+QToolButton[checkable="true"] { border-color: @line; background: @panel; }
 QToolButton:hover { border-color: @line; }
-QToolButton:focus { border-color: @accent; }
-QToolButton:checked { background: @accent; color: @accentText; }
-QToolButton:checked:disabled { background: @line; }
+QToolButton[framed="true"]:hover, QToolButton[checkable="true"]:hover { border-color: @accent; }
+QToolButton[checkable="true"]:checked { background: @tint; color: @text; border-color: @accent; }
+QToolButton[checkable="true"]:checked:disabled { background: @window; color: @disabled; border-color: @line; }
+QToolButton:focus { border: 2px solid @ring; padding: 2px 4px; }
+QToolButton[framed="true"]:focus { border: 2px solid @ring; padding: 3px 5px; }
+QToolButton[checkable="true"]:focus, QToolButton[checkable="true"]:checked:focus { border: 2px solid @ring; }
 QListWidget#manualContents::item { padding: 3px 4px; }
 QListWidget#plotFAPs { border: 1px solid @line; border-radius: 4px; }
 QListWidget#plotFAPs::item { color: @faint; }
@@ -135,6 +146,8 @@ QFrame#messageBar[severity="note"], QFrame#recoveryBar { border-left: 4px solid 
 
 QString styleSheet(const Theme& theme) {
   QString text = themeStyle;
+  text.replace("@tint", mixed(theme.panel, theme.accent, tint).name());
+  text.replace("@ring", mixed(theme.accent, theme.text, half).name());
   text.replace("@accentText", theme.accentText.name()).replace("@accent", theme.accent.name());
   text.replace("@window", theme.window.name()).replace("@panel", theme.panel.name());
   text.replace("@text", theme.text.name()).replace("@faint", theme.faintText.name());

@@ -205,7 +205,7 @@ void ViewArea::addOtherButtons() {
 void ViewArea::followComparison() {
   const bool compares = comparison_->kind() != Comparison::Kind::None;
   if (compares && !other_) addOther();
-  faceFrame_->setTitle(compares ? tr("A") : tr("Face"));
+  if (!compares) faceFrame_->setTitle(tr("Face"));
   if (compares) {
     otherFrame_->setTitle(tr("B: %1").arg(comparison_->name()));
     swap_->setEnabled(comparison_->canSwap());
@@ -225,6 +225,7 @@ void ViewArea::showCurves() {
 }
 
 void ViewArea::showDifference() {
+  if (comparison_->kind() != Comparison::Kind::None) faceFrame_->setTitle(tr("A: %1").arg(comparison_->nameOfA()));
   const Comparison::Side sides[] = {Comparison::Side::A, Comparison::Side::B};
   for (size_t i = 0; i < summaries_.size(); ++i) {
     summaries_[i]->setText(comparison_->summary(sides[i]));

@@ -3,11 +3,13 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QDockWidget>
+#include <QEvent>
 #include <QLayout>
 #include <QMainWindow>
 #include <QMenu>
 #include <QSignalBlocker>
 #include <QTabBar>
+#include <QTimer>
 #include <QVariant>
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -72,6 +74,7 @@ const std::array<Workspaces::Workspace, Workspaces::count>& Workspaces::all() {
 Workspaces::Workspaces(QMainWindow* window)
     : QObject(window), window_(window), bar_(new QTabBar(window)), first_(window->saveState(version)) {
   setObjectName(arrangementPart);
+  window->installEventFilter(this);
   buildBar();
 }
 
@@ -126,6 +129,7 @@ void Workspaces::reset() {
 void Workspaces::show(int workspace) {
   current_ = workspace;
   if (kept_[workspace].isEmpty() || !window_->restoreState(kept_[workspace], version)) arrange(workspace);
+  QTimer::singleShot(0, this, &Workspaces::closeGaps);  // once the docks have their places
 }
 
 QList<QDockWidget*> Workspaces::docks(const QStringList& names) const {
@@ -178,13 +182,53 @@ void Workspaces::giveSizes(const QList<QDockWidget*>& left, const QList<QDockWid
   window_->resizeDocks(below, QList<int>::fromVector(QVector<int>(below.size(), window_->width())), Qt::Horizontal);
 }
 
+bool Workspaces::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) QTimer::singleShot(0, this, &Workspaces::closeGaps);
+  return QObject::eventFilter(watched, event);
+}
+
+/// From top to bottom; empty where they are not one column.
+QList<QDockWidget*> Workspaces::column() const {
+  QList<QDockWidget*> left;
+  for (auto* dock : window_->findChildren<QDockWidget*>()) {
+    if (!dock->isVisible() || dock->isFloating() || window_->dockWidgetArea(dock) != Qt::LeftDockWidgetArea) continue;
+    if (!window_->tabifiedDockWidgets(dock).isEmpty() || (!left.isEmpty() && left.front()->x() != dock->x())) return {};
+    left << dock;
+  }
+  std::sort(left.begin(), left.end(), [](const QDockWidget* a, const QDockWidget* b) { return a->y() < b->y(); });
+  return left;
+}
+
+/// A window that has changed its size gives each dock a share, also those that have no use for it: what is beyond their
+/// need goes to the one that takes what is left.
+void Workspaces::closeGaps() {
+  const QList<QDockWidget*> left = column();
+  if (left.size() < 2) return;
+  const int hungry = hungryOf(left);
+  QList<int> heights;
+  int spare = 0;
+  for (int i = 0; i < left.size(); ++i) {
+    const int need = i == hungry ? left[i]->height() : std::min(left[i]->height(), left[i]->sizeHint().height());
+    spare += left[i]->height() - need;
+    heights << need;
+  }
+  if (spare == 0) return;
+  heights[hungry] += spare;
+  window_->resizeDocks(left, heights, Qt::Vertical);
+}
+
+int Workspaces::hungryOf(const QList<QDockWidget*>& left) {
+  int hungry = left.size() - 1;
+  for (int i = 0; i < left.size(); ++i)
+    if (left[i]->objectName() == growing) hungry = i;
+  return hungry;
+}
+
 /// The last dock at the left takes what room the others do not need, or the table of FAPs, which has use for it.
 void Workspaces::giveHeights(const QList<QDockWidget*>& left, int room) {
   QList<int> heights;
   for (const QDockWidget* dock : left) heights << dock->sizeHint().height();
-  int hungry = left.size() - 1;
-  for (int i = 0; i < left.size(); ++i)
-    if (left[i]->objectName() == growing) hungry = i;
+  const int hungry = hungryOf(left);
   const int others = std::accumulate(heights.begin(), heights.end(), 0) - heights[hungry];
   heights[hungry] = std::max(leastHeight, room - others - separator * (left.size() - 1));
   window_->resizeDocks(left, heights, Qt::Vertical);

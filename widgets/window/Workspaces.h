@@ -41,6 +41,9 @@ class Workspaces : public QObject, public SessionPart {
   void save() const;  ///< all of them, in the user's settings
   void restore();     ///< from there, or as at the first start
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   struct Workspace;
   static const std::array<Workspace, count>& all();
@@ -50,6 +53,9 @@ class Workspaces : public QObject, public SessionPart {
   QList<QDockWidget*> placeBelow(const QList<QDockWidget*>& below);
   void giveSizes(const QList<QDockWidget*>& left, const QList<QDockWidget*>& below);
   void giveHeights(const QList<QDockWidget*>& left, int room);
+  QList<QDockWidget*> column() const;
+  void closeGaps();
+  static int hungryOf(const QList<QDockWidget*>& left);
   QList<QDockWidget*> docks(const QStringList& names) const;
   void follow();
 
