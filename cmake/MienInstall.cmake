@@ -12,7 +12,7 @@ install(FILES "${CMAKE_BINARY_DIR}/MienConfig.cmake" "${CMAKE_BINARY_DIR}/MienCo
   DESTINATION "${package_folder}")
 
 install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(DIRECTORY doc/examples DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(DIRECTORY doc DESTINATION "${CMAKE_INSTALL_DOCDIR}" PATTERN Doxyfile EXCLUDE)
 if(MIEN_BUILD_APPS)
   set(desktop "${PROJECT_SOURCE_DIR}/app/studio/desktop")
   install(FILES "${desktop}/mien-studio.desktop" DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")

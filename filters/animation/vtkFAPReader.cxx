@@ -47,6 +47,9 @@ vtkFAPReader::~vtkFAPReader() {
 }
 
 int vtkFAPReader::CanReadFile(const char* fileName) {
+  std::error_code ignored;
+  if (fileName && std::filesystem::path(fileName).extension() == ".fap")
+    return std::filesystem::is_regular_file(fileName, ignored) ? 1 : 0;
   mien::FAPSequence sequence;
   std::string format;
   return fileName && readSequence(fileName, sequence, format).empty() ? 1 : 0;

@@ -65,7 +65,8 @@ class MIENANIMATION_EXPORT vtkFAPReader : public vtkTableAlgorithm {
   void ClearFrames();  ///< forgets those appended so far, where only the newest is wanted
   ///@}
 
-  /** Whether a file is one of these without a fault: 1 or 0, in silence. */
+  /** Whether a file is one for this reader: a .fap by its name, so that an update says what is wrong with it, any other
+   * by what is in it. 1 or 0, in silence. */
   static int CanReadFile(const char* fileName);
 
   /** The file may have changed: the next update looks. */

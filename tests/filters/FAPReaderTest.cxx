@@ -220,7 +220,8 @@ TEST_F(FAPReader, WarningsNameFileAndLine) {
 
 TEST_F(FAPReader, TellsWhatItCanRead) {
   EXPECT_EQ(vtkFAPReader::CanReadFile(path.c_str()), 1);
-  EXPECT_EQ(vtkFAPReader::CanReadFile(MIEN_TEST_DIR "/data/malformed/fap/line1_version_3.fap"), 0);
+  EXPECT_EQ(vtkFAPReader::CanReadFile(MIEN_TEST_DIR "/data/malformed/fap/line1_version_3.fap"), 1)
+      << "no other reader is for it, and this one says what is wrong";
   EXPECT_EQ(vtkFAPReader::CanReadFile((path + ".gone").c_str()), 0);
   EXPECT_EQ(vtkFAPReader::CanReadFile(nullptr), 0);
 }

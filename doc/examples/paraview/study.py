@@ -8,6 +8,7 @@ import os
 import sys
 
 from paraview import simple
+from paraview.servermanager import vtkProcessModule
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 root = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..")
@@ -18,7 +19,16 @@ if len(sys.argv) != 3:
     sys.exit(__doc__)
 study, table = sys.argv[1:]
 processes = vtkMultiProcessController.GetGlobalController()
+if processes.GetNumberOfProcesses() > 1 and not vtkProcessModule.GetProcessModule().GetSymmetricMPIMode():
+    sys.exit("study.py runs in every process: give pvbatch the option --sym")
 
+
+def version(name):
+    """What changes whenever a file is written anew."""
+    return os.stat(name).st_ino if os.path.exists(name) else None
+
+
+before = version(table)
 source = MienFaceStudy(StudyFileName=study, TableFileName=table)
 source.UpdatePipeline()
 print("process %d of %d: %d rows" % (processes.GetLocalProcessId(), processes.GetNumberOfProcesses(),
@@ -27,5 +37,5 @@ print("process %d of %d: %d rows" % (processes.GetLocalProcessId(), processes.Ge
 processes.Barrier()  # all rows are written
 source.InvokeCommand("WriteTable")  # by the first process
 processes.Barrier()
-if not os.path.exists(table):
-    sys.exit(1)
+if version(table) == before:
+    sys.exit(1)  # its error says why

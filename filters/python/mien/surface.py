@@ -11,7 +11,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 __all__ = ["Surface", "surface_of", "arrays_of"]
 
 
-@dataclass
+@dataclass(repr=False)
 class Surface:
     """A surface of polygons. The arrays are views of VTK's own memory wherever that is possible."""
 
@@ -20,6 +20,10 @@ class Surface:
     point_data: dict[str, np.ndarray] = field(default_factory=dict)  #: "Normals" (n, 3), "TextureCoordinates" (n, 2) ..
     cell_data: dict[str, np.ndarray] = field(default_factory=dict)  #: "PatchId" ..
     data: Any = None  #: the vtkPolyData itself
+
+    def __repr__(self) -> str:
+        arrays = ", ".join([*self.point_data, *self.cell_data]) or "no arrays"
+        return "<Surface: %d points, %d polygons; %s>" % (len(self.points), len(self.polygons), arrays)
 
     @property
     def normals(self) -> np.ndarray:

@@ -20,6 +20,9 @@ class Table(dict[str, np.ndarray]):
     def row_count(self) -> int:
         return len(next(iter(self.values()), ()))
 
+    def __repr__(self) -> str:
+        return "<Table: %d rows; %s>" % (self.row_count, ", ".join(self))
+
     def rows(self) -> Iterator[dict[str, Any]]:
         """Row by row, as dictionaries."""
         for values in zip(*self.values()):
