@@ -222,7 +222,7 @@ TEST_F(Playback, TheRateShownIsMeasuredWhilePlaying) {
   auto* rate = find<QLabel>("timelineRate");
   EXPECT_EQ(rate->text(), "");
   window->player().play();
-  EXPECT_TRUE(waitUntil([&] { return rate->text().endsWith(" shown)"); }, 20000));
+  EXPECT_TRUE(waitUntil([&] { return rate->text().endsWith(" frames/s drawn"); }, 20000));
   window->player().pause();
   EXPECT_EQ(rate->text(), "");
 }
