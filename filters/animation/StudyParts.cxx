@@ -76,7 +76,8 @@ void StudyRows::read(const std::string& name, bool mayBeOther) {
   if (!startsWith(stream, table_.head())) {
     std::error_code error;
     if (mayBeOther || fs::file_size(name, error) < table_.head().size()) return;  // torn within its head: no rows
-    throw StudyFailure(name + ": it holds rows of another study, or of other faces; take it away, or give another -o");
+    throw StudyFailure(
+        name + ": it holds rows of another study, or of other faces; take it away, or give the table another name");
   }
   files_.push_back(name);
   std::int64_t offset = static_cast<std::int64_t>(table_.head().size());
@@ -114,7 +115,7 @@ void StudyRows::writeTable(const std::string& output) const {
     stream << line << "\n";
   }
   stream.close();
-  if (!stream || !file.commit()) throw StudyFailure(output + ": cannot be written (" + std::strerror(errno) + ")");
+  if (!stream || !file.commit()) throw StudyFailure(output + ": " + WholeFile::unwritable);
   std::error_code ignored;
   for (const std::string& part : partsOf(output)) fs::remove(part, ignored);
 }
@@ -124,7 +125,7 @@ PartFile::PartFile(const std::string& name, const StudyTable& table) : name_(nam
   if (file_ < 0) throw StudyFailure(name + ": cannot be written (" + std::strerror(errno) + ")");
   if (flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close(file_);
-    throw StudyFailure(name + ": another mien is computing this study; wait for it, or give another -o");
+    throw StudyFailure(name + ": another mien is computing this study; wait for it, or give the table another name");
   }
   cutTornLine(table.head());
 }

@@ -19,7 +19,7 @@
 #include "ScanPanel.h"
 #include "SessionDocument.h"
 #include "SessionFile.h"
-#include "StudioFixture.h"
+#include "SessionFixture.h"
 #include "WidgetSettings.h"
 
 namespace {
@@ -29,25 +29,7 @@ using mien::FaceState;
 using mien::WidgetSettings;
 
 /// What marks a session as changed, and what comes back with it that is no setting of a widget.
-class SessionMark : public StudioFixture {
- protected:
-  QString file(const QString& name) const { return folder.filePath(name); }
-  json settings() { return WidgetSettings::read(*window, WidgetSettings::Of::Session); }
-
-  /// Saves the window, and opens that in a new one.
-  void reopen() {
-    const QString session = file("all" + QString(mien::SessionFile::ending));
-    ASSERT_TRUE(window->document().save(session));
-    window = std::make_unique<mien::StudioWindow>();
-    for (const char* view : {"faceView", "curveView"}) find<QWidget>(view)->setUpdatesEnabled(false);
-    window->show();
-    settle();
-    ASSERT_TRUE(window->document().open(session)) << message().toStdString();
-    settle();
-  }
-
-  QTemporaryDir folder;
-};
+class SessionMark : public SessionFixture {};
 
 /// By hand, as a user chooses: in the list that opens, or with keys.
 TEST_F(SessionMark, AColourThatIsChosenIsAStep) {

@@ -29,7 +29,7 @@
 #include "MessageBar.h"
 #include "SessionDocument.h"
 #include "SessionFile.h"
-#include "StudioFixture.h"
+#include "SessionFixture.h"
 #include "ViewArea.h"
 #include "WidgetSettings.h"
 #include "vtkBoundaryCurveReader.h"
@@ -40,10 +40,8 @@ using json = nlohmann::json;
 using mien::FaceState;
 using mien::WidgetSettings;
 
-class Session : public StudioFixture {
+class Session : public SessionFixture {
  protected:
-  QString file(const QString& name) const { return folder.filePath(name); }
-
   QString write(const QString& name, const QByteArray& text) {
     QFile out(file(name));
     out.open(QIODevice::WriteOnly);
@@ -51,20 +49,7 @@ class Session : public StudioFixture {
     return out.fileName();
   }
 
-  json settings() { return WidgetSettings::read(*window, WidgetSettings::Of::Session); }
   std::string state() { return mien::writeFaceState(window->model().state()); }
-
-  /// Saves the window, and opens that in a new one.
-  void reopen() {
-    const QString session = file("all" + QString(mien::SessionFile::ending));
-    ASSERT_TRUE(window->document().save(session));
-    window = std::make_unique<mien::StudioWindow>();
-    for (const char* view : {"faceView", "curveView"}) find<QWidget>(view)->setUpdatesEnabled(false);
-    window->show();
-    settle();
-    ASSERT_TRUE(window->document().open(session)) << message().toStdString();
-    settle();
-  }
 
   /// A state in which nothing is as at the start.
   FaceState everyProperty() {
@@ -97,8 +82,6 @@ class Session : public StudioFixture {
     state.textureMesh = QString(MIEN_TEST_DIR "/../data/textures/painted_7x7.csv").toStdString();
     return state;
   }
-
-  QTemporaryDir folder;
 };
 
 /// A property that is added must be added here too: this does not compile without it.

@@ -2,7 +2,7 @@
 
 namespace mien {
 
-/// Columns of B are padded to a multiple of this, so that whole vectors can be read.
+/// As many numbers as the longest vector holds: so many can be read behind the end of B.
 constexpr int rowProductPadding = 16;
 
 /// out = U B, row-major: out(row, column) = sum over k, in this order, of u(row, k) b(k, column).
