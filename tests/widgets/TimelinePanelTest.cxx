@@ -3,12 +3,14 @@
 #include <QDropEvent>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QImage>
 #include <QLabel>
 #include <QMimeData>
 #include <QPlainTextEdit>
 #include <QSpinBox>
 #include <QToolButton>
 #include <QUrl>
+#include <algorithm>
 
 #include "AnimationPlayer.h"
 #include "FaceModel.h"
@@ -236,6 +238,29 @@ TEST_F(TimelinePanel, AFileThatWasOverwrittenWithNonsenseStaysAsItWasRead) {
 }
 
 /// The pipeline runs for every frame, the views for none of them.
+/// Between the darkest and the lightest pixel inside a button's frame, 0 .. 255.
+int contrastOf(QWidget* button) {
+  const QImage image = button->grab(button->rect().adjusted(5, 5, -5, -5)).toImage();
+  int darkest = 255, lightest = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const int gray = qGray(image.pixel(x, y));
+      darkest = std::min(darkest, gray);
+      lightest = std::max(lightest, gray);
+    }
+  return lightest - darkest;
+}
+
+TEST_F(TimelinePanel, IconsStandOutFromTheirButtonsPressedOrNot) {
+  ASSERT_TRUE(window->openAnimation(writeLids(10, 20)));
+  auto* loop = find<QToolButton>("timelineLoop");
+  for (const bool isPressed : {true, false}) {
+    loop->setChecked(isPressed);
+    settle();
+    EXPECT_GT(contrastOf(loop), 100) << (isPressed ? "pressed" : "not pressed");
+  }
+}
+
 TEST_F(TimelinePanel, RealFilesOpenAndMoveTheFace) {
   for (const char* name : {"7_basic_emotion.fap", "basic_emotion.fap"}) {
     const QString file = QString(MIEN_REFERENCE_DIR) + "/faps/" + name;

@@ -58,10 +58,10 @@ class SymbolEngine : public QIconEngine {
  public:
   explicit SymbolEngine(Symbol symbol) : symbol_(symbol) {}
 
-  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State state) override {
+  /// A pressed button is tinted, not filled: its icon keeps the colour of text.
+  void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
     const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-    const auto role = state == QIcon::On ? QPalette::HighlightedText : QPalette::ButtonText;
-    const QColor color = QApplication::palette().color(group, role);
+    const QColor color = QApplication::palette().color(group, QPalette::ButtonText);
     const double scale = qMin(rect.width(), rect.height()) / 16.0;
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
