@@ -12,24 +12,49 @@ namespace mien {
 
 /// Output arrays of a filter that runs again and again: one that nobody else holds any more is written anew, since
 /// asking the system for memory takes longer than filling it (1000 x 1000 points with normals: 12 of 18 ms).
+///
+/// An array also remembers which version of the output it holds, as long as nobody else called its Modified().
 template <class Scalar>
 class ReusedArrays {
  public:
   using Array = vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>>;
 
-  /// An array of that name and size; its numbers are anything.
-  Array take(const char* name, int components, vtkIdType size) {
-    for (const Array& array : kept_)
-      if (array->GetReferenceCount() == 1 && fits(array, name, components, size)) {
-        array->Modified();
-        return array;
+  static constexpr long noVersion = -1;
+
+  struct Taken {
+    Array array;
+    long version = noVersion;  ///< that its numbers are; with noVersion they are anything
+
+    Scalar* at(vtkIdType value) const { return array->GetPointer(value); }
+  };
+
+  /// An array of that name and size, to be written.
+  Taken take(const char* name, int components, vtkIdType size) {
+    for (Kept& kept : kept_)
+      if (kept.array->GetReferenceCount() == 1 && fits(kept.array, name, components, size)) {
+        const long version = kept.array->GetMTime() == kept.time ? kept.version : noVersion;
+        kept.version = noVersion;
+        kept.array->Modified();
+        return {kept.array, version};
       }
-    Array array = make(name, components, size);
+    const Array array = make(name, components, size);
     keep(array);
-    return array;
+    return {array};
+  }
+
+  /// An array that was taken holds this version now.
+  void setVersion(const Taken& taken, long version) {
+    for (Kept& kept : kept_)
+      if (kept.array == taken.array) kept = {kept.array, version, kept.array->GetMTime()};
   }
 
  private:
+  struct Kept {
+    Array array;
+    long version = noVersion;
+    vtkMTimeType time = 0;
+  };
+
   static constexpr vtkIdType largestKept = 1 << 24;  ///< numbers: more would be held for nothing for too long
   static constexpr int mostOfOneName = 2;            ///< the output's, and the one before that a filter behind may hold
 
@@ -49,13 +74,13 @@ class ReusedArrays {
 
   void keep(const Array& array) {
     if (array->GetNumberOfValues() > largestKept) return;
-    const auto isNamesake = [&](const Array& other) { return other->GetName() == std::string(array->GetName()); };
+    const auto isNamesake = [&](const Kept& other) { return other.array->GetName() == std::string(array->GetName()); };
     if (std::count_if(kept_.begin(), kept_.end(), isNamesake) >= mostOfOneName)
       kept_.erase(std::find_if(kept_.begin(), kept_.end(), isNamesake));
-    kept_.push_back(array);
+    kept_.push_back({array});
   }
 
-  std::vector<Array> kept_;
+  std::vector<Kept> kept_;
 };
 
 }  // namespace mien

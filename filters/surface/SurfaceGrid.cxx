@@ -1,6 +1,7 @@
 #include "SurfaceGrid.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "PDESurface.h"
 #include "ReusedArrays.h"
@@ -21,10 +22,12 @@ namespace mien {
 
 namespace {
 
-/// Points that one thread computes at a time: the rows of S, S_u, S_v and the normals stay in its cache.
-constexpr vtkIdType pointsPerTask = 32768;
+/// Points that one thread computes at a time. In a wide grid every task makes B anew: 1/15 of its work at 1,000 rows.
+constexpr vtkIdType pointsPerTask = 1 << 17;
+/// The same where tangent vectors or second derivatives pass through buffers of the thread.
+constexpr vtkIdType pointsPerBufferedTask = 1 << 15;
 /// Points between two looks at the abort flag; about 0.05 s of work on one core.
-constexpr vtkIdType pointsPerSlab = 1 << 20;
+constexpr vtkIdType pointsPerSlab = 1 << 23;
 
 int columnsOf(const SurfaceGridLayout& layout) {
   return layout.extent[1] - layout.extent[0] + 1;
@@ -122,86 +125,126 @@ class TypedSurfaceGrid : public SurfaceGrid {
     if (this->Layout.curvatures)
       for (const char* name : {"MeanCurvature", "GaussianCurvature", "MaximumCurvature", "MinimumCurvature"})
         arrays.curvatures.push_back(this->Reused.take(name, 1, size));
-    if (this->computeRows(arrays, self)) this->assemble(arrays, output);
+    if (!this->computeParts(arrays, self)) return;
+    for (const Taken& taken : arrays.all()) this->Reused.setVersion(taken, this->Surface.version());
+    this->assemble(arrays, output);
   }
 
  private:
-  using Array = typename ReusedArrays<Scalar>::Array;
-  using Grid = typename PDESurface<Scalar>::Grid;
+  using Taken = typename ReusedArrays<Scalar>::Taken;
+  using Rows = OutputRows<Scalar>;
+
   struct Arrays {
-    Array points, normals;
-    std::vector<Array> derivatives;  ///< S_u, S_v, where wanted
-    std::vector<Array> curvatures;   ///< mean, Gaussian, largest and smallest, where wanted
+    Taken points, normals;
+    std::vector<Taken> derivatives;  ///< S_u, S_v, where wanted
+    std::vector<Taken> curvatures;   ///< mean, Gaussian, largest and smallest, where wanted
+
+    std::vector<Taken> all() const {
+      std::vector<Taken> all = {points, normals};
+      for (const auto* group : {&derivatives, &curvatures}) all.insert(all.end(), group->begin(), group->end());
+      return all;
+    }
+
+    /// The version that all of them hold.
+    long version() const {
+      const std::vector<Taken> taken = this->all();
+      const bool areOne =
+          std::all_of(taken.begin(), taken.end(), [&](const Taken& other) { return other.version == points.version; });
+      return areOne && curvatures.empty() ? points.version : PDESurface<Scalar>::noVersion;
+    }
   };
 
-  /// All rows in slabs; false when the algorithm was aborted.
-  bool computeRows(const Arrays& arrays, vtkAlgorithm* self) const {
-    const int rows = rowsOf(this->Layout);
-    const int slab = static_cast<int>(std::max<vtkIdType>(1, pointsPerSlab / columnsOf(this->Layout)));
-    const vtkIdType grain = std::max<vtkIdType>(1, pointsPerTask / columnsOf(this->Layout));
-    for (int begin = 0; begin < rows; begin += slab) {
+  /// All strips, some rows of each at a time; false when the algorithm was aborted.
+  bool computeParts(const Arrays& arrays, vtkAlgorithm* self) const {
+    const vtkIdType points = arrays.curvatures.empty() ? pointsPerTask : pointsPerBufferedTask;
+    const int rows = rowsOf(this->Layout), strips = this->Surface.stripCount();
+    const int rowsAtOnce = std::min<int>(rows, points / this->Surface.columnsOf(0));
+    const vtkIdType count = static_cast<vtkIdType>(strips) * ((rows - 1) / rowsAtOnce + 1);
+    const vtkIdType slab = std::max<vtkIdType>(1, pointsPerSlab / points);
+    const long since = arrays.version();
+    std::atomic<bool> isComplete{true};
+    for (vtkIdType begin = 0; begin < count; begin += slab) {
       if (self->GetAbortExecute()) return false;
-      const int end = std::min(rows, begin + slab);
-      vtkSMPTools::For(begin, end, grain, [&](vtkIdType first, vtkIdType last) {
-        for (vtkIdType row = first; row < last; row += grain)
-          this->computeTask(arrays, row, std::min(last, row + grain));
+      const vtkIdType end = std::min(count, begin + slab);
+      vtkSMPTools::For(begin, end, 1, [&](vtkIdType first, vtkIdType last) {
+        for (vtkIdType task = first; task < last; ++task) {
+          const int row = static_cast<int>(task / strips) * rowsAtOnce;
+          const SurfacePart part{static_cast<int>(task % strips), row, std::min(rowsAtOnce, rows - row)};
+          if (!this->computePart(arrays, part, since)) isComplete = false;
+        }
       });
-      self->UpdateProgress(static_cast<double>(end) / rows);
+      self->UpdateProgress(static_cast<double>(end) / count);
     }
+    if (!isComplete) repeatNormals<Scalar>(rows, columnsOf(this->Layout), this->rowsFrom(arrays.normals, {0, 0, rows}));
     return !self->GetAbortExecute();
   }
 
-  void computeTask(const Arrays& arrays, vtkIdType first, vtkIdType last) const {
-    const vtkIdType columns = columnsOf(this->Layout), rows = last - first;
-    const auto grid = [&](const Array& array) {
-      return Grid(array->GetPointer(3 * first * columns), rows, 3 * columns);
-    };
-    const int row = this->Layout.extent[2] + static_cast<int>(first);
-    if (arrays.derivatives.empty() && arrays.curvatures.empty()) {
-      this->Surface.evaluateWithNormals(row, grid(arrays.points), grid(arrays.normals));
-      return;
-    }
-    thread_local RowMajor<Scalar> scratch;
-    scratch.resize(2 * rows, 3 * columns);
-    const bool kept = !arrays.derivatives.empty();
-    Grid su = kept ? grid(arrays.derivatives[0]) : Grid(scratch.data(), rows, 3 * columns);
-    Grid sv = kept ? grid(arrays.derivatives[1]) : Grid(scratch.data() + rows * 3 * columns, rows, 3 * columns);
-    this->Surface.evaluateWithNormals(row, grid(arrays.points), grid(arrays.normals), &su, &sv);
-    if (!arrays.curvatures.empty()) this->computeCurvatures(arrays.curvatures, first, su, sv);
+  /// An array of three components from the first point of a part on.
+  Rows rowsFrom(const Taken& taken, const SurfacePart& part) const {
+    const vtkIdType columns = columnsOf(this->Layout);
+    return {taken.at(3 * (part.firstRow * columns + part.strip * columnsOfStrip)), 3 * columns};
   }
 
-  /// Of the rows that su and sv hold; `first` counts the rows of the extent.
-  void computeCurvatures(const std::vector<Array>& arrays, vtkIdType first, const Grid& su, const Grid& sv) const {
-    const vtkIdType columns = columnsOf(this->Layout), rows = su.rows();
-    thread_local RowMajor<Scalar> scratch;
-    scratch.resize(3 * rows, 3 * columns);
-    const auto second = [&](int orderU, int orderV) {
-      const Grid grid(scratch.data() + orderV * rows * 3 * columns, rows, 3 * columns);
-      this->Surface.evaluate(orderU, orderV, this->Layout.extent[2] + static_cast<int>(first), grid);
-      return grid;
-    };
-    const Grid suu = second(2, 0), suv = second(1, 1), svv = second(0, 2);
-    for (vtkIdType i = 0; i < rows * columns; ++i) {
-      const auto at = [i](const Grid& grid) {
-        return Eigen::Vector3d(
-            Eigen::Map<const Eigen::Matrix<Scalar, 3, 1>>(grid.data() + 3 * i).template cast<double>());
-      };
-      const SurfaceCurvature curvature({Eigen::Vector3d::Zero(), at(su), at(sv), at(suu), at(suv), at(svv)});
-      const double values[] = {curvature.mean, curvature.gaussian, curvature.maximum, curvature.minimum};
-      for (size_t k = 0; k < arrays.size(); ++k)
-        arrays[k]->SetValue(first * columns + i, static_cast<Scalar>(values[k]));
+  /// @param part  its rows are counted from the first of the extent
+  /// @return whether there is a normal everywhere
+  bool computePart(const Arrays& arrays, SurfacePart part, long since) const {
+    SurfaceRowsOutput<Scalar> out{this->rowsFrom(arrays.points, part), this->rowsFrom(arrays.normals, part), {}, {}};
+    if (!arrays.derivatives.empty()) {
+      out.su = this->rowsFrom(arrays.derivatives[0], part);
+      out.sv = this->rowsFrom(arrays.derivatives[1], part);
     }
+    if (arrays.curvatures.empty()) return this->Surface.evaluateWithNormals(this->inSurface(part), out, since);
+    thread_local RowMajor<Scalar> tangents[2];
+    if (arrays.derivatives.empty()) {
+      out.su = this->buffer(tangents[0], part);
+      out.sv = this->buffer(tangents[1], part);
+    }
+    const bool isComplete = this->Surface.evaluateWithNormals(this->inSurface(part), out, since);
+    this->computeCurvatures(arrays.curvatures, part, out);
+    return isComplete;
+  }
+
+  SurfacePart inSurface(const SurfacePart& part) const {
+    return {part.strip, this->Layout.extent[2] + part.firstRow, part.rows};
+  }
+
+  Rows buffer(RowMajor<Scalar>& numbers, const SurfacePart& part) const {
+    numbers.resize(part.rows, 3 * this->Surface.columnsOf(part.strip));
+    return {numbers.data(), numbers.cols()};
+  }
+
+  void computeCurvatures(const std::vector<Taken>& arrays, const SurfacePart& part,
+                         const SurfaceRowsOutput<Scalar>& tangents) const {
+    thread_local RowMajor<Scalar> numbers[3];
+    Rows second[3];  // S_uu, S_uv, S_vv
+    for (int orderV = 0; orderV < 3; ++orderV) {
+      second[orderV] = this->buffer(numbers[orderV], part);
+      this->Surface.evaluate(2 - orderV, orderV, this->inSurface(part), second[orderV]);
+    }
+    for (int row = 0; row < part.rows; ++row)
+      for (int column = 0; column < this->Surface.columnsOf(part.strip); ++column) {
+        const auto at = [&](const Rows& rows) {
+          return Eigen::Vector3d(
+              Eigen::Map<const Eigen::Matrix<Scalar, 3, 1>>(rows.at(row, column)).template cast<double>());
+        };
+        const SurfaceCurvature curvature(
+            {Eigen::Vector3d::Zero(), at(tangents.su), at(tangents.sv), at(second[0]), at(second[1]), at(second[2])});
+        const double values[] = {curvature.mean, curvature.gaussian, curvature.maximum, curvature.minimum};
+        const vtkIdType point = static_cast<vtkIdType>(part.firstRow + row) * columnsOf(this->Layout) +
+                                part.strip * columnsOfStrip + column;
+        for (size_t k = 0; k < arrays.size(); ++k) *arrays[k].at(point) = static_cast<Scalar>(values[k]);
+      }
   }
 
   void assemble(const Arrays& arrays, vtkStructuredGrid* output) const {
     vtkNew<vtkPoints> points;
-    points->SetData(arrays.points);
+    points->SetData(arrays.points.array);
     output->SetExtent(const_cast<int*>(this->Layout.extent));
     output->SetPoints(points);
-    output->GetPointData()->SetNormals(arrays.normals);
+    output->GetPointData()->SetNormals(arrays.normals.array);
     output->GetPointData()->SetTCoords(this->TextureCoordinates);
     for (const auto* group : {&arrays.derivatives, &arrays.curvatures})
-      for (const Array& array : *group) output->GetPointData()->AddArray(array);
+      for (const Taken& taken : *group) output->GetPointData()->AddArray(taken.array);
     output->GetCellData()->AddArray(this->PatchIds);
     if (this->HiddenCells) output->GetCellData()->AddArray(this->HiddenCells);
   }

@@ -1,5 +1,7 @@
 #include "BoundaryCoefficients.h"
 
+#include <limits>
+
 #include "RowProduct.h"
 
 namespace mien {
@@ -12,19 +14,37 @@ BoundaryCoefficients::BoundaryCoefficients(const HarmonicSplit& split, int curve
       samples_(3 * curveCount, split.pointsPerCurve()),
       ofCurves_(3 * curveCount, split.pointsPerCurve()),
       values_(3L * dataCount * split.pointsPerCurve() + rowProductPadding, 0.0) {
+  samples_.setConstant(std::numeric_limits<double>::quiet_NaN());  // equal to nothing: the first curves are all new
+  changed_.reserve(curveCount);
   const Eigen::MatrixXd analysis = split.analysis();
   for (int sample = 0; sample < analysis.cols(); ++sample)
     for (int k = 0; k < analysis.rows(); ++k) analysis_.row(sample)[k] = analysis(k, sample);
 }
 
-void BoundaryCoefficients::setCurves(const ClosedCurves& curves) {
-  const int count = split_.pointsPerCurve(), rows = 3 * curveCount_;
-  for (int c = 0; c < curveCount_; ++c) samples_.middleRows<3>(3 * c) = curves.curve(c).transpose();
-  rowProduct(samples_.data(), rows, count, analysis_.row(0), analysis_.stride(), count, ofCurves_.data(), count);
+const std::vector<DataRange>& BoundaryCoefficients::setCurves(const ClosedCurves& curves) {
+  takeSamples(curves);
+  for (const DataRange& changed : changed_) analyse(changed);
+  return changed_;
+}
+
+void BoundaryCoefficients::takeSamples(const ClosedCurves& curves) {
+  changed_.clear();
+  for (int c = 0; c < curveCount_; ++c) {
+    if (samples_.middleRows<3>(3 * c) == curves.curve(c).transpose()) continue;
+    samples_.middleRows<3>(3 * c) = curves.curve(c).transpose();
+    if (changed_.empty() || changed_.back().end < c) changed_.push_back({c, c});
+    changed_.back().end = c + 1;
+  }
+}
+
+void BoundaryCoefficients::analyse(const DataRange& changed) {
+  const int count = split_.pointsPerCurve(), first = 3 * changed.first, rows = 3 * changed.count();
+  rowProduct(samples_.row(first).data(), rows, count, analysis_.row(0), analysis_.stride(), count,
+             ofCurves_.row(first).data(), count);
   for (int j = 0; j < split_.count(); ++j) {
     const int columns = split_.coefficientCount(j);
-    double* out = part(j);
-    for (int row = 0; row < rows; ++row, out += columns)
+    double* out = part(j) + static_cast<long>(first) * columns;
+    for (int row = first; row < first + rows; ++row, out += columns)
       Eigen::Map<Eigen::RowVectorXd>(out, columns) = ofCurves_.row(row).segment(split_.firstCoefficient(j), columns);
   }
 }

@@ -12,6 +12,13 @@ namespace mien {
 template <class Scalar>
 using RowMajor = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// Boundary data first .. end - 1.
+struct DataRange {
+  int first, end;
+
+  int count() const { return end - first; }
+};
+
 /// Fourier coefficients of boundary data, part by part of a split: what a part needs lies together.
 ///
 /// The first data are the curves themselves. Of part j there are 3 rows a datum, x, y, z, and coefficientCount(j)
@@ -28,10 +35,13 @@ class BoundaryCoefficients {
 
   const std::vector<double>& values() const { return values_; }  ///< part by part
 
-  /// Those of the curves, samples into coefficients; no allocation.
-  void setCurves(const ClosedCurves& curves);
+  /// Samples of the curves into coefficients, of those alone that are not what they were; no allocation.
+  /// @return which curves changed: all of them the first time
+  const std::vector<DataRange>& setCurves(const ClosedCurves& curves);
 
  private:
+  void takeSamples(const ClosedCurves& curves);
+  void analyse(const DataRange& changed);
   long firstValue(int part) const { return 3L * dataCount_ * split_.firstCoefficient(part); }
 
   HarmonicSplit split_;
@@ -40,6 +50,7 @@ class BoundaryCoefficients {
   RowMajor<double> samples_;      ///< 3 curves x samples
   RowMajor<double> ofCurves_;     ///< 3 curves x coefficients
   std::vector<double> values_;
+  std::vector<DataRange> changed_;
 };
 
 /// K x 3 curves: Fourier coefficients of every coordinate of every curve. No allocation after the first time.

@@ -1,5 +1,7 @@
 #include "BoundaryData.h"
 
+#include <algorithm>
+
 #include "RowProduct.h"
 
 namespace mien {
@@ -36,6 +38,10 @@ void BoundaryData::combine(const Datum& datum) {
     all.conservativeResize(all.rows() + 1, Eigen::NoChange);
     all.row(all.rows() - 1) = datum[part];
   }
+  std::vector<int>& sources = sources_.emplace_back();
+  for (int curve = 0; curve < curveCount_; ++curve)
+    if (std::any_of(datum.begin(), datum.end(), [&](const auto& part) { return part[curve] != 0.0; }))
+      sources.push_back(curve);
 }
 
 std::vector<int> BoundaryData::add(const SurfacePiece& piece) {

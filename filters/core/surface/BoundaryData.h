@@ -24,6 +24,9 @@ class BoundaryData {
   int curveCount() const { return curveCount_; }
   int count() const { return curveCount_ + static_cast<int>(combinations_.front().rows()); }
 
+  /// The curves that datum curveCount() + i follows from.
+  const std::vector<int>& sources(int i) const { return sources_[i]; }
+
   /// The coefficients of what follows from the curves, from theirs. No allocation.
   void derive(BoundaryCoefficients& coefficients) const;
 
@@ -36,6 +39,7 @@ class BoundaryData {
   HarmonicSplit split_;
   int curveCount_;
   std::vector<RowMajor<double>> combinations_;  ///< by part: the data that are no curves, (data x curves)
+  std::vector<std::vector<int>> sources_;
   std::map<std::vector<double>, int> known_;
 };
 

@@ -29,15 +29,23 @@ BoundaryField<Scalar>::BoundaryField(const HarmonicSplit& split, const Eigen::Ve
 }
 
 template <class Scalar>
-void BoundaryField<Scalar>::update(const Scalar* coefficients, int dataCount) {
-  const int rows = 3 * dataCount;
-  matrix_.resize(rows * split_.count(), columns_);
+void BoundaryField<Scalar>::makeRoom(int dataCount, AlignedRows<Scalar>& b) const {
+  b.resize(3 * dataCount * split_.count(), std::min(columns_, columnsOfStrip));
+}
+
+template <class Scalar>
+void BoundaryField<Scalar>::sample(const Scalar* coefficients, int dataCount, const DataRange& data, int strip,
+                                   AlignedRows<Scalar>& b) const {
+  const int columns = AlignedRows<Scalar>::paddedCount(columnsOf(strip));
   for (int part = 0; part < split_.count(); ++part) {
     const AlignedRows<Scalar>& synthesis = synthesis_[part];
-    if (synthesis.rows() == 0) continue;  // a remainder without harmonics stays zero
-    rowProduct(coefficients + static_cast<long>(rows) * split_.firstCoefficient(part), rows, synthesis.rows(),
-               synthesis.row(0), synthesis.stride(), static_cast<int>(synthesis.stride()), matrix_.row(part * rows),
-               matrix_.stride());
+    Scalar* const out = b.row(3 * (part * dataCount + data.first));
+    const long before = 3L * dataCount * split_.firstCoefficient(part) + 3L * data.first * synthesis.rows();
+    if (synthesis.rows() == 0)  // a remainder without harmonics
+      std::fill_n(out, 3 * data.count() * b.stride(), Scalar(0));
+    else
+      rowProduct(coefficients + before, 3 * data.count(), synthesis.rows(), synthesis.row(0) + strip * columnsOfStrip,
+                 synthesis.stride(), columns, out, b.stride());
   }
 }
 

@@ -4,6 +4,17 @@
 
 namespace mien {
 
+namespace {
+
+/// A grid from the first column of a strip on.
+template <class Scalar>
+OutputRows<Scalar> rowsFrom(Eigen::Map<RowMajor<Scalar>>* grid, int strip) {
+  if (!grid) return {};
+  return {grid->data() + 3 * strip * columnsOfStrip, grid->cols()};
+}
+
+}  // namespace
+
 template <class Scalar>
 PDESurface<Scalar>::PDESurface(const std::vector<SurfacePiece>& pieces, const HarmonicSplit& split, int curveCount,
                                const Eigen::VectorXd& v, int derivatives)
@@ -12,7 +23,12 @@ PDESurface<Scalar>::PDESurface(const std::vector<SurfacePiece>& pieces, const Ha
     if (!piece.u.empty()) addBlock(piece, data_.add(piece), derivatives);
   placeData();
   coefficients_ = std::make_unique<BoundaryCoefficients>(split, curveCount, data_.count());
-  for (int order = 0; order <= derivatives; ++order) b_.emplace_back(split, v, order);
+  changes_.assign(data_.count(), 0);
+  for (int order = 0; order <= derivatives; ++order) {
+    fields_.emplace_back(split, v, order);
+    b_.emplace_back();
+    if (stripCount() == 1) fields_[order].makeRoom(data_.count(), b_[order]);
+  }
 }
 
 template <class Scalar>
@@ -44,46 +60,100 @@ void PDESurface<Scalar>::placeData() {
 
 template <class Scalar>
 void PDESurface<Scalar>::setCurves(const ClosedCurves& curves) {
-  coefficients_->setCurves(curves);
+  ++version_;
+  const std::vector<DataRange>& changed = coefficients_->setCurves(curves);
+  if (changed.empty()) return;
   data_.derive(*coefficients_);
   rounded_.assign(coefficients_->values().begin(), coefficients_->values().end());
-  for (BoundaryField<Scalar>& b : b_) b.update(rounded_.data(), data_.count());
+  for (const DataRange& range : changed) {
+    std::fill_n(changes_.begin() + range.first, range.count(), version_);
+    update(range);
+  }
+  for (int datum = data_.curveCount(); datum < data_.count(); ++datum)
+    changes_[datum] = latestOf(data_.sources(datum - data_.curveCount()));
+  update({data_.curveCount(), data_.count()});
 }
 
-/// Those of a block's rows that lie in firstRow .. endRow - 1; maybe none.
 template <class Scalar>
-OperatorRows<Scalar> PDESurface<Scalar>::rowsOf(const Block& block, int order, int firstRow, int endRow) const {
+void PDESurface<Scalar>::update(const DataRange& changed) {
+  if (stripCount() > 1) return;
+  for (size_t order = 0; order < b_.size(); ++order)
+    fields_[order].sample(rounded_.data(), data_.count(), changed, 0, b_[order]);
+}
+
+/// The version that changed the last of some data.
+template <class Scalar>
+long PDESurface<Scalar>::latestOf(const std::vector<int>& data) const {
+  long latest = 0;
+  for (const int datum : data) latest = std::max(latest, changes_[datum]);
+  return latest;
+}
+
+/// B at the columns of a strip: it stays until the thread asks for another.
+template <class Scalar>
+BoundaryPlanes<Scalar> PDESurface<Scalar>::boundary(int order, int strip) const {
+  constexpr int mostOrders = 3;
+  thread_local AlignedRows<Scalar> ofThread[mostOrders];
+  const AlignedRows<Scalar>* b = &b_[order];
+  if (stripCount() > 1) {
+    fields_[order].makeRoom(data_.count(), ofThread[order]);
+    fields_[order].sample(rounded_.data(), data_.count(), {0, data_.count()}, strip, ofThread[order]);
+    b = &ofThread[order];
+  }
+  return {b->row(0), b->stride(), columnsOf(strip)};
+}
+
+/// Those of a block's rows that lie in the part; maybe none.
+template <class Scalar>
+OperatorRows<Scalar> PDESurface<Scalar>::rowsOf(const Block& block, int order, const SurfacePart& part) const {
   const RowMajor<Scalar>& u = block.matrices[order];
-  const int begin = std::max(firstRow - block.firstRow, 0);
-  const int end = std::min(endRow - block.firstRow, static_cast<int>(u.rows()));
+  const int begin = std::max(part.firstRow - block.firstRow, 0);
+  const int end = std::min(part.firstRow + part.rows - block.firstRow, static_cast<int>(u.rows()));
   return {u.data() + begin * u.cols(), std::max(0, end - begin), static_cast<int>(u.cols()), block.places.data()};
 }
 
 // S = U B, piece by piece.
 template <class Scalar>
-void PDESurface<Scalar>::evaluate(int orderU, int orderV, int firstRow, Grid grid) const {
-  const int endRow = firstRow + static_cast<int>(grid.rows());
+void PDESurface<Scalar>::evaluate(int orderU, int orderV, const SurfacePart& part,
+                                  const OutputRows<Scalar>& out) const {
+  const BoundaryPlanes<Scalar> b = boundary(orderV, part.strip);
   for (const Block& block : u_) {
-    const OperatorRows<Scalar> u = rowsOf(block, orderU, firstRow, endRow);
-    if (u.rows == 0) continue;
-    Scalar* const out = grid.row(std::max(firstRow, block.firstRow) - firstRow).data();
-    vectorRows<Scalar>(u, b_[orderV].planes(), {out, grid.cols()});
+    const OperatorRows<Scalar> u = rowsOf(block, orderU, part);
+    if (u.rows > 0) vectorRows<Scalar>(u, b, out.below(std::max(0, block.firstRow - part.firstRow)));
   }
 }
 
 template <class Scalar>
-void PDESurface<Scalar>::evaluateWithNormals(int firstRow, Grid s, Grid normals, Grid* su, Grid* sv) const {
-  const int endRow = firstRow + static_cast<int>(s.rows());
+bool PDESurface<Scalar>::evaluateWithNormals(const SurfacePart& part, const SurfaceRowsOutput<Scalar>& out,
+                                             long since) const {
+  bool isComplete = true;
+  const BoundaryPlanes<Scalar> b = boundary(0, part.strip), slopes = boundary(1, part.strip);
   for (const Block& block : u_) {
-    const OperatorRows<Scalar> u = rowsOf(block, 0, firstRow, endRow), slopes = rowsOf(block, 1, firstRow, endRow);
-    if (u.rows == 0) continue;
-    const auto rowsFrom = [&](Grid* grid) {
-      const int row = std::max(firstRow, block.firstRow) - firstRow;
-      return grid ? OutputRows<Scalar>{grid->row(row).data(), grid->cols()} : OutputRows<Scalar>();
-    };
-    surfaceRows<Scalar>(u, slopes.first, b_[0].planes(), b_[1].planes().first,
-                        {rowsFrom(&s), rowsFrom(&normals), rowsFrom(su), rowsFrom(sv)});
+    const OperatorRows<Scalar> u = rowsOf(block, 0, part);
+    if (u.rows == 0 || latestOf(block.data) <= since) continue;
+    isComplete &= surfaceRows<Scalar>(u, rowsOf(block, 1, part).first, b, slopes.first,
+                                      out.below(std::max(0, block.firstRow - part.firstRow)));
   }
+  return isComplete;
+}
+
+template <class Scalar>
+void PDESurface<Scalar>::evaluate(int orderU, int orderV, int firstRow, Grid grid) const {
+  for (int strip = 0; strip < stripCount(); ++strip)
+    evaluate(orderU, orderV, SurfacePart{strip, firstRow, static_cast<int>(grid.rows())},
+             rowsFrom<Scalar>(&grid, strip));
+}
+
+template <class Scalar>
+void PDESurface<Scalar>::evaluateWithNormals(int firstRow, Grid s, Grid normals, Grid* su, Grid* sv, long since) const {
+  const int rows = static_cast<int>(s.rows());
+  bool isComplete = true;
+  for (int strip = 0; strip < stripCount(); ++strip)
+    isComplete &= evaluateWithNormals(SurfacePart{strip, firstRow, rows},
+                                      {rowsFrom<Scalar>(&s, strip), rowsFrom<Scalar>(&normals, strip),
+                                       rowsFrom<Scalar>(su, strip), rowsFrom<Scalar>(sv, strip)},
+                                      since);
+  if (!isComplete) repeatNormals<Scalar>(rows, columnCount_, {normals.data(), normals.cols()});
 }
 
 template class PDESurface<float>;

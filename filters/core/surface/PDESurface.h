@@ -10,10 +10,15 @@
 
 namespace mien {
 
+/// Some rows of one strip of columns.
+struct SurfacePart {
+  int strip, firstRow, rows;
+};
+
 /// A surface of pieces on one grid, re-evaluated for ever new curves: S = U B.
 ///
-/// U depends on the pieces, a and N only and is made once; B, the boundary data of all pieces at every column, is made
-/// from the curves each time.
+/// U depends on the pieces, a and N only and is made once. B, the boundary data of all pieces, is made from the curves:
+/// of a grid of one strip of columns it is kept and changes where they do, of a wider one it is made strip by strip.
 /// Grids are row-major: (rows) x (x, y, z of column 0, of column 1, ...), mm.
 template <class Scalar>
 class PDESurface {
@@ -30,8 +35,15 @@ class PDESurface {
   int rowCount() const { return rowCount_; }
   int columnCount() const { return columnCount_; }
 
-  /// New curves; no allocation after the first time.
+  int stripCount() const { return fields_.front().stripCount(); }
+  int columnsOf(int strip) const { return fields_.front().columnsOf(strip); }
+
+  /// New curves; no allocation after the first time. Those that are what they were cost nothing.
   void setCurves(const ClosedCurves& curves);
+
+  /// Counts the curves that were set.
+  long version() const { return version_; }
+  static constexpr long noVersion = -1;
 
   using Grid = Eigen::Map<RowMajor<Scalar>>;
 
@@ -41,7 +53,14 @@ class PDESurface {
 
   /// Rows of S and of its unit normals, which point outwards, in one go, and of its tangent vectors where they are
   /// wanted. The bits of S, S_u and S_v are those of evaluate(). Safe to call from several threads.
-  void evaluateWithNormals(int firstRow, Grid s, Grid normals, Grid* su = nullptr, Grid* sv = nullptr) const;
+  /// @param since  what the grids hold is this version of the surface: pieces that are the same still are left alone
+  void evaluateWithNormals(int firstRow, Grid s, Grid normals, Grid* su = nullptr, Grid* sv = nullptr,
+                           long since = noVersion) const;
+
+  /// The same of a part, into rows that begin at its first row and column.
+  void evaluate(int orderU, int orderV, const SurfacePart& part, const OutputRows<Scalar>& out) const;
+  /// @return whether there is a normal everywhere; those that are 0 wait for repeatNormals()
+  bool evaluateWithNormals(const SurfacePart& part, const SurfaceRowsOutput<Scalar>& out, long since = noVersion) const;
 
  private:
   /// The part of U that belongs to one piece.
@@ -54,15 +73,21 @@ class PDESurface {
 
   void addBlock(const SurfacePiece& piece, std::vector<int> data, int derivatives);
   void placeData();
-  OperatorRows<Scalar> rowsOf(const Block& block, int order, int firstRow, int endRow) const;
+  void update(const DataRange& changed);
+  long latestOf(const std::vector<int>& data) const;
+  OperatorRows<Scalar> rowsOf(const Block& block, int order, const SurfacePart& part) const;
+  BoundaryPlanes<Scalar> boundary(int order, int strip) const;
 
   HarmonicSplit split_;
   BoundaryData data_;
   int columnCount_, rowCount_ = 0;
   std::vector<Block> u_;
   std::unique_ptr<BoundaryCoefficients> coefficients_;
-  std::vector<Scalar> rounded_;           ///< the coefficients
-  std::vector<BoundaryField<Scalar>> b_;  ///< by order of the derivative
+  std::vector<Scalar> rounded_;                ///< the coefficients
+  std::vector<BoundaryField<Scalar>> fields_;  ///< by order of the derivative
+  std::vector<AlignedRows<Scalar>> b_;         ///< by order of the derivative: B, where there is one strip only
+  long version_ = 0;
+  std::vector<long> changes_;  ///< by datum: the version that changed it
   std::string fault_;
 };
 

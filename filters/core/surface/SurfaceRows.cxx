@@ -165,7 +165,22 @@ struct SurfaceRowsKernel {
   }
 };
 
-/// The kernel leaves zeros where there is no tangent plane.
+}  // namespace
+
+template <class Scalar>
+void vectorRows(const OperatorRows<Scalar>& u, const BoundaryPlanes<Scalar>& b, const OutputRows<Scalar>& out) {
+  runOnThisProcessor<VectorRowsKernel<Scalar>, const OperatorRows<Scalar>&, const BoundaryPlanes<Scalar>&,
+                     const OutputRows<Scalar>&>(u, b, out);
+}
+
+template <class Scalar>
+bool surfaceRows(const OperatorRows<Scalar>& u, const Scalar* uDerivative, const BoundaryPlanes<Scalar>& b,
+                 const Scalar* bDerivative, const SurfaceRowsOutput<Scalar>& out) {
+  return runOnThisProcessor<SurfaceRowsKernel<Scalar>, const OperatorRows<Scalar>&, const Scalar*,
+                            const BoundaryPlanes<Scalar>&, const Scalar*, const SurfaceRowsOutput<Scalar>&>(
+      u, uDerivative, b, bDerivative, out);
+}
+
 template <class Scalar>
 void repeatNormals(int rows, int columns, const OutputRows<Scalar>& normals) {
   for (int row = 0; row < rows; ++row) {
@@ -179,29 +194,14 @@ void repeatNormals(int rows, int columns, const OutputRows<Scalar>& normals) {
   }
 }
 
-}  // namespace
-
-template <class Scalar>
-void vectorRows(const OperatorRows<Scalar>& u, const BoundaryPlanes<Scalar>& b, const OutputRows<Scalar>& out) {
-  runOnThisProcessor<VectorRowsKernel<Scalar>, const OperatorRows<Scalar>&, const BoundaryPlanes<Scalar>&,
-                     const OutputRows<Scalar>&>(u, b, out);
-}
-
-template <class Scalar>
-void surfaceRows(const OperatorRows<Scalar>& u, const Scalar* uDerivative, const BoundaryPlanes<Scalar>& b,
-                 const Scalar* bDerivative, const SurfaceRowsOutput<Scalar>& out) {
-  const bool areAllNormals =
-      runOnThisProcessor<SurfaceRowsKernel<Scalar>, const OperatorRows<Scalar>&, const Scalar*,
-                         const BoundaryPlanes<Scalar>&, const Scalar*, const SurfaceRowsOutput<Scalar>&>(
-          u, uDerivative, b, bDerivative, out);
-  if (!areAllNormals) repeatNormals(u.rows, b.columns, out.normal);
-}
-
 template void vectorRows<float>(const OperatorRows<float>&, const BoundaryPlanes<float>&, const OutputRows<float>&);
 template void vectorRows<double>(const OperatorRows<double>&, const BoundaryPlanes<double>&, const OutputRows<double>&);
-template void surfaceRows<float>(const OperatorRows<float>&, const float*, const BoundaryPlanes<float>&, const float*,
+template bool surfaceRows<float>(const OperatorRows<float>&, const float*, const BoundaryPlanes<float>&, const float*,
                                  const SurfaceRowsOutput<float>&);
-template void surfaceRows<double>(const OperatorRows<double>&, const double*, const BoundaryPlanes<double>&,
+template bool surfaceRows<double>(const OperatorRows<double>&, const double*, const BoundaryPlanes<double>&,
                                   const double*, const SurfaceRowsOutput<double>&);
+
+template void repeatNormals<float>(int, int, const OutputRows<float>&);
+template void repeatNormals<double>(int, int, const OutputRows<double>&);
 
 }  // namespace mien

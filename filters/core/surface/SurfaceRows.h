@@ -4,6 +4,9 @@
 
 namespace mien {
 
+/// Columns that are computed at once, a strip: their part of B stays in the second cache while rows run.
+constexpr int columnsOfStrip = 64;
+
 /// B as the kernels read it: rows of three planes, the x of all columns, then y, then z.
 template <class Scalar>
 struct BoundaryPlanes {
@@ -29,6 +32,7 @@ struct OutputRows {
   long stride = 0;
 
   Scalar* at(int row, int column) const { return first + row * stride + 3L * column; }
+  OutputRows below(int row) const { return first ? OutputRows{at(row, 0), stride} : *this; }
 };
 
 /// out = U B. Every element is summed over k in its order, wherever it stands.
@@ -40,15 +44,21 @@ template <class Scalar>
 struct SurfaceRowsOutput {
   OutputRows<Scalar> s, normal;
   OutputRows<Scalar> su, sv;  ///< where they are wanted
+
+  SurfaceRowsOutput below(int row) const { return {s.below(row), normal.below(row), su.below(row), sv.below(row)}; }
 };
 
 /// S, S_u = U' B, S_v = U B' and the unit normal S_u x S_v / |S_u x S_v|, which points outwards.
 ///
-/// Where the surface has no tangent plane (lids in contact), the normal of the column before is repeated.
 /// @param uDerivative  U', rows and places as u's
 /// @param bDerivative  B', planes as b's
+/// @return whether there is a normal everywhere; it is 0 where the surface has no tangent plane (lids in contact)
 template <class Scalar>
-void surfaceRows(const OperatorRows<Scalar>& u, const Scalar* uDerivative, const BoundaryPlanes<Scalar>& b,
+bool surfaceRows(const OperatorRows<Scalar>& u, const Scalar* uDerivative, const BoundaryPlanes<Scalar>& b,
                  const Scalar* bDerivative, const SurfaceRowsOutput<Scalar>& out);
+
+/// Where a normal is 0, that of the column before is repeated; (0, 0, 1) where none is before.
+template <class Scalar>
+void repeatNormals(int rows, int columns, const OutputRows<Scalar>& normals);
 
 }  // namespace mien
