@@ -100,7 +100,18 @@ QSize WrappingRow::minimumSize() const {
   return size + QSize(around.left() + around.right(), around.top() + around.bottom());
 }
 
+void WrappingRow::setLeastHeight(int pixels) {
+  if (pixels == leastHeight_) return;
+  leastHeight_ = pixels;
+  invalidate();
+  if (parentWidget()) parentWidget()->updateGeometry();
+}
+
 int WrappingRow::heightForWidth(int width) const {
+  return std::max(leastHeight_, ownHeight(width));
+}
+
+int WrappingRow::ownHeight(int width) const {
   const QMargins around = contentsMargins();
   const int room = width - around.left() - around.right();
   int height = around.top() + around.bottom() - spacing();

@@ -16,6 +16,10 @@ class WrappingRow : public QLayout {
   void addSpacing(int pixels);  ///< not seen where a line begins or ends with it
   void addStretch();
 
+  /// Rows side by side can be of one height: that of the one with the most lines.
+  void setLeastHeight(int pixels);
+  int ownHeight(int width) const;  ///< of all lines at that width
+
   void addItem(QLayoutItem* item) override;
   int count() const override;
   QLayoutItem* itemAt(int index) const override;
@@ -34,6 +38,7 @@ class WrappingRow : public QLayout {
   int widthOf(const Line& line) const;
 
   QList<QLayoutItem*> items_;
+  int leastHeight_ = 0;
 };
 
 }  // namespace mien

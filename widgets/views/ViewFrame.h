@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <vector>
 
 class QToolButton;
 
@@ -21,6 +22,15 @@ class ViewFrame : public QFrame {
   void addControl(QWidget* control);  ///< in the head, after what is there
   void addGap();
   void addBelow(QWidget* widget);
+
+  /// Frames side by side have heads of one height, however many lines the buttons of each need; one alone has its own.
+  static void alignHeads(const std::vector<ViewFrame*>& frames);
+
+ signals:
+  void resized();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   WrappingRow* header_;

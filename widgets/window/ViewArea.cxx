@@ -168,7 +168,8 @@ void ViewArea::addOther() {
   splitter_->setStretchFactor(1, faceShare);
   splitter_->setStretchFactor(2, curveShare);
   splitter_->setSizes({faceShare * manyPixels, faceShare * manyPixels, curveShare * manyPixels});
-  other_->link(face_);
+  other_->link(face_, RenderView::Zoom::ToScale);
+  for (ViewFrame* frame : {faceFrame_, otherFrame_}) connect(frame, &ViewFrame::resized, this, &ViewArea::alignHeads);
 }
 
 /// Below both, so that both are of one height.
@@ -195,7 +196,8 @@ void ViewArea::addOtherButtons() {
   });
   otherFrame_->addControl(arrows);
   QToolButton* link = otherFrame_->addToggle("compareLink", tr("Link"), tr("Turn and zoom together with A"), true);
-  connect(link, &QToolButton::toggled, this, [this](bool on) { on ? other_->link(face_) : other_->unlink(); });
+  connect(link, &QToolButton::toggled, this,
+          [this](bool on) { on ? other_->link(face_, RenderView::Zoom::ToScale) : other_->unlink(); });
   swap_ = otherFrame_->addButton("compareSwap", tr("Swap"), tr("A becomes B, and B becomes A"));
   connect(swap_, &QToolButton::clicked, comparison_, &Comparison::swap);
   connect(otherFrame_->addButton("compareClear", tr("Close"), tr("Ends the comparison")), &QToolButton::clicked,
@@ -234,6 +236,7 @@ void ViewArea::showDifference() {
   const double longest = comparison_->corresponds() ? std::numeric_limits<double>::infinity() : longestArrow;
   for (size_t i = 0; i < arrows_.size(); ++i)
     arrows_[i]->show(comparison_->surface(sides[i]), "DistanceVector", longest);
+  alignHeads();  // a title that has become longer may need a line of its own
 }
 
 void ViewArea::addExporters() {
@@ -265,6 +268,13 @@ std::string ViewArea::faceNumbers() const {
   vtkPolyData* compared = comparison_->surface(Comparison::Side::A);
   return pointNumbers(compared ? compared
                                : vtkPolyData::SafeDownCast(model_->pipeline().surface()->GetOutputDataObject(0)));
+}
+
+/// Two faces can be compared by eye where they stand at one height. What is not shown has no width yet.
+void ViewArea::alignHeads() {
+  std::vector<ViewFrame*> shown = {faceFrame_};
+  if (otherFrame_ && otherFrame_->isVisible()) shown.push_back(otherFrame_);
+  ViewFrame::alignHeads(shown);
 }
 
 void ViewArea::arrange() {

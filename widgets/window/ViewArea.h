@@ -62,6 +62,7 @@ class ViewArea : public QWidget {
   void showCurves();
   void showDifference();
   void arrange();
+  void alignHeads();
   void linkCameras(bool linked);
   void showWhole();
   void addExporters();
