@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "ElidedLabel.h"
-#include "WrappingRow.h"
+#include "OverflowRow.h"
 
 namespace mien {
 
@@ -18,18 +18,18 @@ constexpr int shortTitle = 60;  // pixels that a long title has in any case
 }  // namespace
 
 ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
-    : QFrame(parent), header_(new WrappingRow), name_(new ElidedLabel(this)) {
+    : QFrame(parent), header_(new OverflowRow(view->objectName() + "Header", this)), name_(new ElidedLabel(this)) {
   setProperty("card", true);
   name_->setProperty("heading", true);
   name_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   setTitle(title);
-  header_->setContentsMargins(10, 5, 6, 5);
+  header_->setMargins(10, 5, 6, 5);
   header_->setSpacing(1);
   header_->addWidget(name_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(1, 1, 1, 1);
   column->setSpacing(0);
-  column->addLayout(header_);
+  column->addWidget(header_);
   column->addWidget(view, 1);
 }
 
@@ -44,7 +44,7 @@ QToolButton* ViewFrame::addButton(const QString& objectName, const QString& text
   button->setText(text);
   button->setToolTip(toolTip);
   button->setFocusPolicy(Qt::TabFocus);
-  header_->addWidget(button);
+  header_->addWidget(button, ++controls_);
   return button;
 }
 

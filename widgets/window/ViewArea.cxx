@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -26,7 +27,6 @@
 #include "PointNumbers.h"
 #include "ViewExport.h"
 #include "ViewFrame.h"
-#include "WrappingRow.h"
 
 namespace mien {
 
@@ -78,7 +78,7 @@ ViewArea::ViewArea(FaceModel* model, FaceView* face, CurveView* curves, QWidget*
 
 QWidget* ViewArea::displayRow() {
   auto* row = new QWidget(this);
-  auto* layout = new WrappingRow(row);
+  auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(2, 0, 0, 0);
   layout->setSpacing(6);
   auto* bar = new ColoringBar(coloring_, row);
@@ -93,8 +93,7 @@ QWidget* ViewArea::displayRow() {
     namesOn_ = on;
     showCurves();
   });
-  layout->addWidget(bar);
-  layout->addStretch();
+  layout->addWidget(bar, 1);
   layout->addWidget(new ComparisonBar(comparison_, row));
   return row;
 }
