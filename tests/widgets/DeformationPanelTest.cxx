@@ -11,7 +11,6 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QRegularExpression>
-#include <QScrollBar>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -19,7 +18,6 @@
 #include <cmath>
 
 #include "CoefficientTable.h"
-#include "DefaultRegions.h"
 #include "DeformationChoice.h"
 #include "ElidedLabel.h"
 #include "ExportButton.h"
@@ -122,43 +120,6 @@ TEST_F(DeformationPanel, TheNeutralFaceHasNothingToFitOrName) {
   EXPECT_FALSE(find<QToolButton>("deformationUse")->isEnabled());
   EXPECT_FALSE(find<QLabel>("deformationExpression")->isVisible());
   EXPECT_TRUE(figure->figure().panels.empty());
-}
-
-/// At rest there are no numbers to read, but examples, and one click shows what the dock is for.
-TEST_F(DeformationPanel, TheFaceAtRestOffersExamples) {
-  EXPECT_FALSE(cells->isVisible());
-  ASSERT_TRUE(find<QWidget>("deformationEmpty")->isVisible());
-  QTest::mouseClick(find<QToolButton>("deformationExample_joy"), Qt::LeftButton);
-  EXPECT_EQ(chosen().table, "joy");
-  EXPECT_EQ(chosen().strength, 1.0);
-  ASSERT_TRUE(waitForName("joy"));
-  EXPECT_TRUE(cells->isVisible());
-  EXPECT_FALSE(find<QWidget>("deformationEmpty")->isVisible());
-  choose("None");
-  EXPECT_TRUE(waitUntil([&] { return !cells->isVisible(); }));
-}
-
-/// Names of the regions, units of the numbers, and no column out of sight in a window of the usual size.
-TEST_F(DeformationPanel, TheTableSaysWhereAndInWhichUnit) {
-  choose("Joy");
-  ASSERT_TRUE(waitForName("joy"));
-  for (int region = 1; region <= 16; ++region) {
-    const QString name = QString::fromStdString(mien::defaultRegions().name(region));
-    const QString header = cells->verticalHeaderItem(region - 1)->text();
-    EXPECT_TRUE(header.startsWith(QString::number(region) + ' ' + name.section(' ', 0, 0))) << header.toStdString();
-    EXPECT_TRUE(cells->verticalHeaderItem(region - 1)->toolTip().endsWith(name));
-  }
-  EXPECT_EQ(cells->horizontalHeaderItem(0)->text().toStdString(), "a1\n1/pu");
-  EXPECT_EQ(cells->horizontalHeaderItem(11)->text().toStdString(), "b6\npu");
-  for (const QSize& size : {QSize(1280, 800), QSize(1000, 700)}) {
-    window->resize(size);
-    settle();
-    find<QAction>("actionWorkspace3")->trigger();
-    find<QAction>("actionResetWorkspace")->trigger();
-    settle();
-    EXPECT_FALSE(cells->horizontalScrollBar()->isVisible()) << size.width();
-    EXPECT_GT(figure->width(), 150) << size.width();
-  }
 }
 
 TEST_F(DeformationPanel, EveryExpressionIsNamedByItsOwnMeanTable) {
