@@ -12,8 +12,9 @@ namespace mien {
 
 namespace {
 
-constexpr int gap = 10;         // pixels between groups of buttons
-constexpr int shortTitle = 60;  // pixels that a long title has in any case
+constexpr int gap = 6;          // pixels between groups of buttons
+constexpr int edge = 1;         // pixels, of the frame's line
+constexpr int shortTitle = 48;  // pixels that a long title has in any case
 
 }  // namespace
 
@@ -27,7 +28,7 @@ ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
   header_->setSpacing(1);
   header_->addWidget(name_);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(1, 1, 1, 1);
+  column->setContentsMargins(edge, edge, edge, edge);
   column->setSpacing(0);
   column->addWidget(header_);
   column->addWidget(view, 1);

@@ -167,7 +167,7 @@ void ViewArea::addOther() {
   splitter_->setStretchFactor(1, faceShare);
   splitter_->setStretchFactor(2, curveShare);
   splitter_->setSizes({faceShare * manyPixels, faceShare * manyPixels, curveShare * manyPixels});
-  other_->link(face_);
+  other_->link(face_, RenderView::Zoom::ToScale);
 }
 
 /// Below both, so that both are of one height.
@@ -194,7 +194,8 @@ void ViewArea::addOtherButtons() {
   });
   otherFrame_->addControl(arrows);
   QToolButton* link = otherFrame_->addToggle("compareLink", tr("Link"), tr("Turn and zoom together with A"), true);
-  connect(link, &QToolButton::toggled, this, [this](bool on) { on ? other_->link(face_) : other_->unlink(); });
+  connect(link, &QToolButton::toggled, this,
+          [this](bool on) { on ? other_->link(face_, RenderView::Zoom::ToScale) : other_->unlink(); });
   swap_ = otherFrame_->addButton("compareSwap", tr("Swap"), tr("A becomes B, and B becomes A"));
   connect(swap_, &QToolButton::clicked, comparison_, &Comparison::swap);
   connect(otherFrame_->addButton("compareClear", tr("Close"), tr("Ends the comparison")), &QToolButton::clicked,
