@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "ElidedLabel.h"
-#include "WrappingRow.h"
+#include "OverflowRow.h"
 
 namespace mien {
 
@@ -19,18 +19,18 @@ constexpr int shortTitle = 48;  // pixels that a long title has in any case
 }  // namespace
 
 ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
-    : QFrame(parent), header_(new WrappingRow), name_(new ElidedLabel(this)) {
+    : QFrame(parent), header_(new OverflowRow(view->objectName() + "Header", this)), name_(new ElidedLabel(this)) {
   setProperty("card", true);
   name_->setProperty("heading", true);
   name_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   setTitle(title);
-  header_->setContentsMargins(10, 5, 6, 5);
+  header_->setMargins(10, 5, 6, 5);
   header_->setSpacing(1);
   header_->addWidget(name_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(edge, edge, edge, edge);
   column->setSpacing(0);
-  column->addLayout(header_);
+  column->addWidget(header_);
   column->addWidget(view, 1);
 }
 
@@ -45,7 +45,7 @@ QToolButton* ViewFrame::addButton(const QString& objectName, const QString& text
   button->setText(text);
   button->setToolTip(toolTip);
   button->setFocusPolicy(Qt::TabFocus);
-  header_->addWidget(button);
+  header_->addWidget(button, ++controls_);
   return button;
 }
 
@@ -58,18 +58,6 @@ QToolButton* ViewFrame::addToggle(const QString& objectName, const QString& text
 
 void ViewFrame::addBelow(QWidget* widget) {
   layout()->addWidget(widget);
-}
-
-void ViewFrame::alignHeads(const std::vector<ViewFrame*>& frames) {
-  int height = 0;
-  for (const ViewFrame* frame : frames)
-    height = std::max(height, frame->header_->ownHeight(frame->contentsRect().width() - 2 * edge));
-  for (ViewFrame* frame : frames) frame->header_->setLeastHeight(frames.size() > 1 ? height : 0);
-}
-
-void ViewFrame::resizeEvent(QResizeEvent* event) {
-  QFrame::resizeEvent(event);
-  emit resized();
 }
 
 void ViewFrame::addControl(QWidget* control) {

@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -26,7 +27,6 @@
 #include "PointNumbers.h"
 #include "ViewExport.h"
 #include "ViewFrame.h"
-#include "WrappingRow.h"
 
 namespace mien {
 
@@ -78,7 +78,7 @@ ViewArea::ViewArea(FaceModel* model, FaceView* face, CurveView* curves, QWidget*
 
 QWidget* ViewArea::displayRow() {
   auto* row = new QWidget(this);
-  auto* layout = new WrappingRow(row);
+  auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(2, 0, 0, 0);
   layout->setSpacing(6);
   auto* bar = new ColoringBar(coloring_, row);
@@ -93,8 +93,7 @@ QWidget* ViewArea::displayRow() {
     namesOn_ = on;
     showCurves();
   });
-  layout->addWidget(bar);
-  layout->addStretch();
+  layout->addWidget(bar, 1);
   layout->addWidget(new ComparisonBar(comparison_, row));
   return row;
 }
@@ -169,7 +168,6 @@ void ViewArea::addOther() {
   splitter_->setStretchFactor(2, curveShare);
   splitter_->setSizes({faceShare * manyPixels, faceShare * manyPixels, curveShare * manyPixels});
   other_->link(face_, RenderView::Zoom::ToScale);
-  for (ViewFrame* frame : {faceFrame_, otherFrame_}) connect(frame, &ViewFrame::resized, this, &ViewArea::alignHeads);
 }
 
 /// Below both, so that both are of one height.
@@ -236,7 +234,6 @@ void ViewArea::showDifference() {
   const double longest = comparison_->corresponds() ? std::numeric_limits<double>::infinity() : longestArrow;
   for (size_t i = 0; i < arrows_.size(); ++i)
     arrows_[i]->show(comparison_->surface(sides[i]), "DistanceVector", longest);
-  alignHeads();  // a title that has become longer may need a line of its own
 }
 
 void ViewArea::addExporters() {
@@ -268,13 +265,6 @@ std::string ViewArea::faceNumbers() const {
   vtkPolyData* compared = comparison_->surface(Comparison::Side::A);
   return pointNumbers(compared ? compared
                                : vtkPolyData::SafeDownCast(model_->pipeline().surface()->GetOutputDataObject(0)));
-}
-
-/// Two faces can be compared by eye where they stand at one height. What is not shown has no width yet.
-void ViewArea::alignHeads() {
-  std::vector<ViewFrame*> shown = {faceFrame_};
-  if (otherFrame_ && otherFrame_->isVisible()) shown.push_back(otherFrame_);
-  ViewFrame::alignHeads(shown);
 }
 
 void ViewArea::arrange() {

@@ -62,7 +62,6 @@ class ViewArea : public QWidget {
   void showCurves();
   void showDifference();
   void arrange();
-  void alignHeads();
   void linkCameras(bool linked);
   void showWhole();
   void addExporters();
