@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 
 #include "AxisScale.h"
 
@@ -23,6 +24,7 @@ TEST(AxisScale, NumbersHaveTheDecimalsTheirStepNeeds) {
   EXPECT_EQ(tickText(-1e-17, 0.1), "0.0");
   EXPECT_EQ(tickText(1e-6, 1e-6), "10⁻⁶");
   EXPECT_EQ(tickText(2e12, 1e12), "2·10¹²");
+  EXPECT_EQ(tickText(0.0, 1e-13), "0");
 }
 
 TEST(AxisScale, LinearTicksEndAtNiceNumbersAroundTheData) {
@@ -62,6 +64,42 @@ TEST(AxisScale, DecadesOfOneAxisAreWrittenAlike) {
   EXPECT_EQ(names(AxisScale(10.0, 1e7, true).ticks(axis, 5)), (std::vector<std::string>{"10¹", "10³", "10⁵", "10⁷"}));
   EXPECT_EQ(names(AxisScale(0.1, 1e3, true).ticks(axis, 6)),
             (std::vector<std::string>{"0.1", "1", "10", "100", "1000"}));
+}
+
+/// Whatever an axis shows and however little room it has; numbers lie on the axis and differ.
+TEST(AxisScale, EveryAxisHasTwoNumbersOrMore) {
+  for (const bool logarithmic : {false, true})
+    for (double begin = 1e-9; begin < 1e9; begin *= 1.7)
+      for (const double ratio : {1.001, 1.05, 1.3, 1.9, 2.6, 4.9, 7.0, 9.99, 10.0, 13.0, 30.0, 99.0, 190.0, 2e4, 3e11})
+        for (int most = 1; most <= 8; ++most) {
+          const AxisScale scale(begin, begin * ratio, logarithmic);
+          const std::vector<mien::AxisTick> ticks = scale.ticks({}, most);
+          const std::vector<std::string> texts = names(ticks);
+          ASSERT_GE(texts.size(), 2u) << begin << " to " << begin * ratio << ", " << most;
+          ASSERT_LE(texts.size(), most + 5u) << begin << " to " << begin * ratio << ", " << most;
+          ASSERT_EQ(std::set<std::string>(texts.begin(), texts.end()).size(), texts.size()) << begin << " " << ratio;
+          for (const auto& tick : ticks) {
+            ASSERT_GE(scale.fraction(tick.value), -1e-8) << tick.value;
+            ASSERT_LE(scale.fraction(tick.value), 1.0 + 1e-8) << tick.value;
+          }
+        }
+}
+
+TEST(AxisScale, FewDecadesHaveNumbersBetweenThem) {
+  const ChartAxis axis;
+  EXPECT_EQ(names(AxisScale(0.5, 9.0, true).ticks(axis, 2)), (std::vector<std::string>{"0.5", "1", "2", "5"}));
+  EXPECT_EQ(names(AxisScale(3e-7, 4e-6, true).ticks(axis, 4)), (std::vector<std::string>{"5·10⁻⁷", "10⁻⁶", "2·10⁻⁶"}));
+  EXPECT_EQ(names(AxisScale(0.52, 100.0, true).ticks(axis, 2)), (std::vector<std::string>{"1", "100"}));
+  EXPECT_EQ(names(AxisScale(2.1, 4.2, true).ticks(axis, 4)), (std::vector<std::string>{"3", "4"}));
+}
+
+/// A step of its own that is too coarse for the axis gives way.
+TEST(AxisScale, AStepThatLeavesOneNumberIsNotUsed) {
+  ChartAxis axis;
+  axis.step = 90.0;
+  EXPECT_EQ(names(AxisScale(0.0, 50.0, false).ticks(axis, 5)),
+            (std::vector<std::string>{"0", "10", "20", "30", "40", "50"}));
+  EXPECT_EQ(names(AxisScale(0.0, 180.0, false).ticks(axis, 5)), (std::vector<std::string>{"0", "90", "180"}));
 }
 
 TEST(AxisScale, ValuesThatAreNotFiniteHaveNoSay) {

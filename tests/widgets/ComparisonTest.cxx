@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QSplitter>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <cmath>
@@ -41,6 +42,19 @@ class Comparison : public StudioFixture {
   }
   void smile() {
     window->model().change([](FaceState& state) { state.expressions["joy"] = 1.0; });
+    settle();
+  }
+  /// As a file without any arrays.
+  void openMeshOfA() {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("joy.vtp");
+    vtkNew<vtkPolyData> bare;
+    bare->CopyStructure(surface());
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    writer->SetFileName(file.toUtf8().constData());
+    writer->SetInputData(bare);
+    EXPECT_TRUE(writer->Write());
+    EXPECT_TRUE(comparison()->openMesh(file)) << message().toStdString();
     settle();
   }
   vtkPolyData* measured(Side side) {
@@ -148,14 +162,7 @@ TEST_F(Comparison, OfASchemeFollowsTheFace) {
 
 TEST_F(Comparison, WithAFileOfTheSameFaceIsZero) {
   smile();
-  QTemporaryDir folder;
-  const QString file = folder.filePath("joy.vtp");
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetFileName(file.toUtf8().constData());
-  writer->SetInputData(surface());
-  ASSERT_TRUE(writer->Write());
-  ASSERT_TRUE(comparison()->openMesh(file)) << message().toStdString();
-  settle();
+  openMeshOfA();
   EXPECT_EQ(comparison()->kind(), Kind::Mesh);
   EXPECT_EQ(array(measured(Side::A), "Distance")->GetMaxNorm(), 0.0);
   EXPECT_FALSE(find<QToolButton>("compareSwap")->isEnabled());
@@ -287,6 +294,42 @@ TEST_F(Comparison, ASessionBringsBack) {
   EXPECT_EQ(comparison()->sessionState(), scheme);
   comparison()->restoreSession(none);
   EXPECT_EQ(comparison()->kind(), Kind::None);
+}
+
+/// A millimetre is as many pixels in A as in B, and both stand at one height, however wide each of them is and whatever
+/// they show below.
+TEST_F(Comparison, BothFacesAreOfOneScale) {
+  smile();
+  choose(thisState);
+  auto *a = find<mien::FaceView>("faceView"), *b = find<mien::FaceView>("otherFaceView");
+  auto* splitter = find<QSplitter>("viewSplitter");
+  const auto expectAlike = [&](const std::string& what) {
+    settle();
+    EXPECT_EQ(a->height(), b->height()) << what;
+    EXPECT_EQ(a->mapTo(window.get(), QPoint()).y(), b->mapTo(window.get(), QPoint()).y()) << what;
+    EXPECT_NEAR(a->height() / a->camera()->GetDistance(), b->height() / b->camera()->GetDistance(), 1e-9) << what;
+  };
+  for (const QSize size : {QSize(1280, 800), QSize(1900, 1100)}) {
+    window->resize(size);
+    settle();
+    for (int share : {300, 450, 700}) {
+      splitter->setSizes({share, 900 - share, 100});
+      expectAlike(std::to_string(size.width()) + ", A has " + std::to_string(share));
+    }
+  }
+  a->placeCamera({0, 20, 60}, {0, 0, 1}, 400.0);
+  expectAlike("near");
+  splitter->setSizes({250, 650, 100});
+  expectAlike("near, A narrow");
+  a->fit();
+  openMeshOfA();
+  expectAlike("a mesh");
+  for (const char* color : {"Mean curvature H (1/mm)", "Patches", "Skin"}) {
+    find<QComboBox>("colorBy")->setCurrentText(QString::fromUtf8(color));
+    expectAlike(color);
+  }
+  find<QComboBox>("continuityFace")->setCurrentIndex(2);  // of A alone
+  expectAlike("curvature of a dock");
 }
 
 /// Every control of the views lies within its frame, with all of its text.

@@ -57,6 +57,33 @@ TEST_F(ContinuityPanel, ListsTheSeamsAndFollowsTheScheme) {
   EXPECT_TRUE(waitUntil([this] { return angle(8) < 1e-6; }));
 }
 
+/// What is rounding is told as such, in digits and on an axis of its own; every column has a unit.
+TEST_F(ContinuityPanel, RoundingIsSeenAsRounding) {
+  window->model().change([](mien::FaceState& state) { state.surface.scheme = "spline"; });
+  ASSERT_TRUE(waitUntil([this] { return angle(8) < 1e-6; }));
+  const double jump = table->item(8, 6)->text().toDouble();  // C2 over all seams
+  EXPECT_GT(jump, 0.0);
+  EXPECT_LT(jump, 1e-9);
+  find<QComboBox>("continuityMeasure")->setCurrentText("C2 jump (relative)");
+  const mien::Chart& panel = figure->figure().panels[0];
+  EXPECT_EQ(panel.y.title, "P0|P1, C2 jump: rounding only");
+  EXPECT_LE(*panel.y.end, 1e-9);
+  for (int column = 1; column < table->columnCount(); ++column)
+    EXPECT_FALSE(table->horizontalHeaderItem(column)->text().section('\n', 1).isEmpty()) << column;
+}
+
+/// The content decides the range: an angle of a few degrees is not at the bottom of half a turn.
+TEST_F(ContinuityPanel, TheAxisOfAProfileFitsIt) {
+  for (int row = 0; row < 8; ++row) {
+    clickRow(row);
+    const mien::Chart& panel = figure->figure().panels[0];
+    double largest = 0.0;
+    for (double value : panel.series[0].y) largest = std::max(largest, value);
+    EXPECT_GE(*panel.y.end, largest) << row;
+    EXPECT_LE(*panel.y.end, largest > 90.0 ? 180.0 : 1.7 * largest) << row;
+  }
+}
+
 TEST_F(ContinuityPanel, FollowsASliderWhileItMoves) {
   const QString before = table->item(6, 3)->text();
   window->model().change([](mien::FaceState& state) { state.fapValues[53] = 300; });

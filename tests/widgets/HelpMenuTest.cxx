@@ -75,7 +75,7 @@ TEST_F(HelpMenu, TheManualOpensAtTheDockThatHasTheFocus) {
 
 TEST_F(HelpMenu, TheManualOpensAtTheDockThatWasClickedIn) {
   const std::pair<const char*, const char*> places[] = {
-      {"fapHeading8", "fapDock"}, {"timelineTime", "timelinePanel"}, {"surfaceRemainder", "surfaceDock"}};
+      {"fapHeading8", "fapDock"}, {"timelineTitle", "timelinePanel"}, {"surfaceRemainder", "surfaceDock"}};
   for (const auto& [widget, section] : places) {
     QTest::mouseClick(find<QWidget>(widget), Qt::LeftButton);
     find<QAction>("actionManual")->trigger();
@@ -136,6 +136,27 @@ TEST_F(HelpMenu, AboutTellsVersionsAndHowToCite) {
   dialog->close();
 }
 
+/// Under the names that README's table of dependencies has for them; what is only needed to build, test or draw without
+/// a display is not part of the programs.
+TEST_F(HelpMenu, AboutNamesEveryLibraryOfTheReadme) {
+  QFile file(MIEN_TEST_DIR "/../README.md");
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QString readme = QString::fromUtf8(file.readAll());
+  const QString table = readme.section("| what for |", 1).section("| Python ", 0, 0);
+  QStringList known;
+  for (const auto& [library, version] : mien::libraryVersions()) known << library.toLower();
+  int count = 0;
+  for (const QString& line : table.split('\n')) {
+    const QString names = line.section('|', 1, 1).trimmed();
+    if (names.isEmpty() || names.startsWith("---") || names.startsWith("C++17")) continue;
+    for (const QString& name : names.split(", ")) {
+      EXPECT_TRUE(known.contains(name.section(' ', 0, 0).toLower())) << name.toStdString();
+      ++count;
+    }
+  }
+  EXPECT_GE(count, 9);
+}
+
 /// What CITATION.cff says of each work is in the BibTeX entry too, but for braces.
 TEST_F(HelpMenu, BothFormsOfTheCitationAgree) {
   QFile file(MIEN_TEST_DIR "/../CITATION.cff");
@@ -153,25 +174,47 @@ TEST_F(HelpMenu, BothFormsOfTheCitationAgree) {
   EXPECT_GE(count, 20);
 }
 
-TEST_F(HelpMenu, TheTourSpeaksOfEveryPartWithoutOverlap) {
-  for (const QSize& size : {QSize(1280, 800), QSize(1900, 1150)}) {
+/// What is spoken of is seen, whatever the size of the window.
+TEST_F(HelpMenu, TheTourSpeaksOfEveryPartBesideIt) {
+  for (const QSize& size : {QSize(1280, 800), QSize(1000, 700), QSize(960, 660), QSize(1900, 1150)}) {
     window->resize(size);
     settle();
     mien::Tour* tour = mien::Tour::begin(*window);
     ASSERT_EQ(tour->stopCount(), 6);
     for (int i = 0; i < tour->stopCount(); ++i) {
+      EXPECT_EQ(tour->current(), i) << size.width();
       EXPECT_FALSE(tour->targetOf(i).isEmpty()) << i;
       EXPECT_TRUE(tour->rect().contains(tour->calloutOf(i))) << i;
-      for (int other = 0; other < i; ++other)
-        EXPECT_FALSE(tour->calloutOf(i).intersects(tour->calloutOf(other))) << i << " " << other;
+      EXPECT_FALSE(tour->calloutOf(i).intersects(tour->targetOf(i))) << i << " at " << size.width();
+      if (i + 1 < tour->stopCount()) QTest::keyClick(tour, Qt::Key_Space);
     }
+    QTest::keyClick(tour, Qt::Key_Left);
+    EXPECT_EQ(tour->current(), tour->stopCount() - 2);
     QTest::keyClick(tour, Qt::Key_Escape);
     EXPECT_FALSE(shownTour());
   }
   find<QAction>("actionTour")->trigger();
-  QTest::mouseClick(shownTour(), Qt::LeftButton);
+  const int stops = static_cast<mien::Tour*>(shownTour())->stopCount();
+  for (int i = 0; i < stops; ++i) {
+    ASSERT_TRUE(shownTour()) << i;
+    QTest::mouseClick(shownTour(), Qt::LeftButton);
+  }
   settle();
   EXPECT_FALSE(shownTour());
+}
+
+/// The part that is spoken of is as bright as without the tour, the rest is not.
+TEST_F(HelpMenu, TheTourLeavesWhatItSpeaksOfFree) {
+  const auto brightness = [this](const char* name) {
+    auto* widget = find<QWidget>(name);
+    const QImage image = window->grab(QRect(widget->mapTo(window.get(), QPoint(6, 6)), QSize(60, 20))).toImage();
+    return qGray(image.pixel(image.width() / 2, 2));
+  };
+  const int free = brightness("expressionDock"), other = brightness("surfaceDock");
+  mien::Tour* tour = mien::Tour::begin(*window);
+  ASSERT_EQ(tour->current(), 0);
+  EXPECT_EQ(brightness("expressionDock"), free);
+  EXPECT_LT(brightness("surfaceDock"), 0.6 * other);
 }
 
 TEST_F(HelpMenu, TheTourComesOnceForAUserAndNeverToATest) {
@@ -194,7 +237,7 @@ TEST_F(HelpMenu, TheTourComesOnceForAUserAndNeverToATest) {
 TEST_F(HelpMenu, TheTourIsNoChange) {
   drawViews();
   mien::Tour::begin(*window);
-  QTest::mouseClick(shownTour(), Qt::LeftButton);
+  QTest::keyClick(shownTour(), Qt::Key_Escape);
   QTest::qWait(500);
   window->history().record();
   EXPECT_EQ(window->history().count(), 0) << window->history().undoText().toStdString();

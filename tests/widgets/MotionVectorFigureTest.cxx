@@ -277,9 +277,12 @@ TEST_F(MotionVectorFigure, AKeyBesideThePanelLeavesTheHeightToTheFace) {
   options.keyBeside = true;
   const mien::MotionVectorFigure beside({sheet(swirl)}, options);
   EXPECT_EQ(beside.size(), below.size());
-  const QRectF plot = beside.panels()[0].plot();
+  const QRectF plot = beside.panels()[0].plot(), key = beside.keyPlace();
   EXPECT_GT(plot.height(), 1.1 * below.panels()[0].plot().height());
-  EXPECT_LT(plot.right(), 160.0 * 100.0 - 6200.0) << "the key has its own 62 mm";
+  EXPECT_GT(plot.height(), 0.85 * 9000.0);
+  EXPECT_LT(plot.right(), key.left());
+  EXPECT_LT(key.left() - plot.right(), 1500.0) << "the key stands at the face, however wide the figure is";
+  EXPECT_NEAR(plot.left(), 16000.0 - key.right(), 1000.0) << "both together stand in the middle";
   EXPECT_NE(svgOf(beside).find("Motion in space (mm)"), std::string::npos);
 }
 

@@ -11,6 +11,7 @@
 #include <QTabBar>
 #include <QTimer>
 #include <QWheelEvent>
+#include <functional>
 #include <random>
 
 #include "FaceModel.h"
@@ -69,26 +70,30 @@ class Monkey {
     return all[below(4)];
   }
 
-  static bool isUsable(const QWidget* widget) {
-    return widget->isVisible() && widget->isEnabled() && !widget->visibleRegion().isEmpty();
-  }
-
   QWidget* input() {
-    QList<QWidget*> inputs;
-    for (auto* widget : window_.findChildren<QWidget*>()) {
-      const bool isInput = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) ||
-                           qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QAbstractSlider*>(widget) ||
-                           qobject_cast<QLineEdit*>(widget) || qobject_cast<QTabBar*>(widget);
-      if (isInput && isUsable(widget)) inputs << widget;
-    }
-    return inputs.isEmpty() ? nullptr : inputs[below(inputs.size())];
+    return usable([](const QWidget* widget) {
+      return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+             qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QAbstractSlider*>(widget) ||
+             qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QTabBar*>(widget);
+    });
   }
 
   QWidget* anywhere() {
-    QList<QWidget*> seen;
+    return usable([](const QWidget*) { return true; });
+  }
+
+  /// Any of those that can be used, each as likely as the other: what is seen of a widget takes long to find out, so
+  /// only those are asked that chance has chosen.
+  QWidget* usable(const std::function<bool(const QWidget*)>& isWanted) {
+    QList<QWidget*> all;
     for (auto* widget : window_.findChildren<QWidget*>())
-      if (isUsable(widget)) seen << widget;
-    return seen.isEmpty() ? nullptr : seen[below(seen.size())];
+      if (widget->isVisible() && widget->isEnabled() && isWanted(widget)) all << widget;
+    while (!all.isEmpty()) {
+      const int chosen = below(all.size());
+      if (!all[chosen]->visibleRegion().isEmpty()) return all[chosen];
+      all.removeAt(chosen);
+    }
+    return nullptr;
   }
 
   void drag(QWidget* target, const QPoint& from) {

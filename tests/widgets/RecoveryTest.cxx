@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QDir>
@@ -193,6 +194,22 @@ TEST_F(Recovery, OneThatIsWholeButCannotBeShownIsPutAsideAndTheNextOneOffered) {
   QTest::mouseClick(restore, Qt::LeftButton);
   EXPECT_FALSE(bar(*window)->isVisible());
   EXPECT_EQ(kept(), QStringList());
+}
+
+/// By the keyboard as by the mouse: what the user goes on with is the face.
+TEST_F(Recovery, GivesTheFocusToTheFaceOnceItIsAnswered) {
+  for (const char* answer : {"recoveryRestore", "recoveryDiscard"}) {
+    keep("a", "{\"format\": \"mien session\", \"version\": 1}");
+    const auto window = start();
+    QApplication::setActiveWindow(window.get());
+    ASSERT_TRUE(bar(*window)->isVisible());
+    auto* button = window->findChild<QToolButton*>(answer);
+    button->setFocus();
+    ASSERT_EQ(window->focusWidget(), button);
+    QTest::keyClick(button, Qt::Key_Space);
+    EXPECT_FALSE(bar(*window)->isVisible());
+    EXPECT_EQ(window->focusWidget(), window->findChild<QWidget*>("faceView")) << answer;
+  }
 }
 
 TEST_F(Recovery, BringsTheNameOfTheSessionBack) {

@@ -9,6 +9,9 @@
 #include <QFile>
 #include <QPlainTextEdit>
 #include <QProgressBar>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
 
@@ -77,6 +80,36 @@ TEST_F(ScanPanel, AScanIsMeasuredAdoptedAndCompared) {
   ASSERT_TRUE(waitUntil([&] { return report().startsWith("Scan to face"); }, longest));
   find<QComboBox>("scanDistances")->setCurrentIndex(0);
   EXPECT_TRUE(waitUntil([&] { return report().startsWith("/") || !report().contains("RMS, median"); }));
+}
+
+/// The dock scrolls, and nothing in it.
+TEST_F(ScanPanel, TheReportIsAsHighAsItsText) {
+  auto* text = find<QPlainTextEdit>("scanReport");
+  find<QTabWidget>("curveTabs")->setCurrentIndex(1);
+  settle();
+  const int before = text->minimumHeight();
+  const QString line("one line that is read whole");
+  text->setPlainText(QStringList(QVector<QString>(40, line).toList()).join('\n'));
+  settle();
+  EXPECT_GE(text->height(), 40 * text->fontMetrics().lineSpacing());
+  EXPECT_GT(text->height(), before);
+  EXPECT_FALSE(text->verticalScrollBar()->isVisible());
+  EXPECT_EQ(text->verticalScrollBar()->maximum(), 0) << "nothing is above or below what is seen";
+  int scrolling = 0;
+  for (const QWidget* parent = text->parentWidget(); parent; parent = parent->parentWidget())
+    if (const auto* area = qobject_cast<const QAbstractScrollArea*>(parent))
+      scrolling += area->verticalScrollBar()->isVisible();
+  EXPECT_EQ(scrolling, 1);
+  find<QTabWidget>("curveTabs")->setCurrentIndex(0);
+  settle();
+  EXPECT_FALSE(find<QScrollArea>("curvesDockScroll")->verticalScrollBar()->isVisible())
+      << "a long report makes the other page no longer";
+}
+
+TEST_F(ScanPanel, TheButtonSaysThatItAsksForAFile) {
+  auto* adopt = find<QToolButton>("scanAdopt");
+  EXPECT_TRUE(adopt->text().startsWith("Save and adopt")) << adopt->text().toStdString();
+  EXPECT_TRUE(adopt->toolTip().contains("Asks where")) << adopt->toolTip().toStdString();
 }
 
 /// In every workspace it is told, taken away and closed; the camera steps back for it once.

@@ -270,6 +270,29 @@ TEST_F(Session, OfAnEarlierVersionWithARefusedTextSaysSoOnce) {
   EXPECT_EQ(find<mien::MessageBar>("messageBar")->log().size(), said + 1);
 }
 
+/// Entries of lists that have another name today.
+TEST_F(Session, OfAnEarlierVersionChoosesWhatHadAnotherName) {
+  ASSERT_TRUE(window->document().save(file("a.mien-session.json")));
+  json kept;
+  ASSERT_EQ(mien::SessionFile::read(file("a.mien-session.json"), kept), QString());
+  const struct {
+    const char *dock, *list, *before, *now;
+  } cases[] = {{"window", "colorBy", "Largest curvature \u03ba1 (1/mm)", "Curvature \u03ba1 (1/mm)"},
+               {"window", "colorBy", "Smallest curvature \u03ba2 (1/mm)", "Curvature \u03ba2 (1/mm)"},
+               {"window", "faceMesh", "Shaded with mesh", "Both"},
+               {"continuityDock", "continuityMeasure", "C1 jump", "C1 jump (relative)"},
+               {"continuityDock", "continuityMeasure", "C2 jump", "C2 jump (relative)"}};
+  for (const auto& one : cases) {
+    json session = kept;
+    ASSERT_TRUE(session["docks"][one.dock].contains(one.list)) << one.list;
+    session["docks"][one.dock][one.list] = one.before;
+    ASSERT_EQ(mien::SessionFile::write(session, file("b.mien-session.json")), QString());
+    ASSERT_TRUE(window->document().open(file("b.mien-session.json")));
+    settle();
+    EXPECT_EQ(find<QComboBox>(one.list)->currentText(), QString::fromUtf8(one.now));
+  }
+}
+
 TEST_F(Session, OpensTheStateThatAFigureCarries) {
   FaceState joy;
   joy.expressions["joy"] = 1.0;

@@ -6,10 +6,12 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QToolButton>
 #include <atomic>
+#include <map>
 
 #include "BackgroundTask.h"
 #include "ExportButton.h"
@@ -51,14 +53,14 @@ class SmoothingPanel : public StudioFixture {
 TEST_F(SmoothingPanel, DraggingTheLineSetsAAndTheFaceFollows) {
   const double before = depthSum();
   const QPoint start = figure->pixelOf(0, 1.0, values()[0]).toPoint(),
-               end = figure->pixelOf(0, 10.0, values()[0]).toPoint();
+               end = figure->pixelOf(0, 4.0, values()[0]).toPoint();
   QTest::mousePress(figure, Qt::LeftButton, Qt::NoModifier, start);
   for (int i = 1; i <= 5; ++i) {
     dragTo(figure, start + i * (end - start) / 5);
     settle();
   }
   QTest::mouseRelease(figure, Qt::LeftButton, Qt::NoModifier, end);
-  EXPECT_NEAR(a(), 10.0, 0.4);
+  EXPECT_NEAR(a(), 4.0, 0.2);
   EXPECT_EQ(*figure->marked(), a());
   EXPECT_NE(depthSum(), before);
   EXPECT_GT(colorsIn("faceView"), 200);
@@ -71,6 +73,29 @@ TEST_F(SmoothingPanel, ArrowKeysChangeABySteps) {
   EXPECT_NEAR(a(), 1.1, 1e-9);
   QTest::keyClick(figure, Qt::Key_Home);
   EXPECT_NEAR(a(), 0.1, 1e-9);
+}
+
+/// Beyond the breakdown there is no face to see; an a that is set there all the same is on the axis.
+TEST_F(SmoothingPanel, TheAxisEndsBehindTheBreakdownOrAtTheFaceShown) {
+  const auto end = [this] { return figure->figure().panels[0].x.end.value_or(100.0); };
+  const double breakdown = *figure->figure().panels[0].series[0].breakdown;
+  EXPECT_DOUBLE_EQ(end(), 2.0 * breakdown);
+  EXPECT_LT(end(), 20.0);
+  figure->setFocus();
+  QTest::keyClick(figure, Qt::Key_End);
+  settle();
+  EXPECT_NEAR(a(), 100.0, 1e-9);
+  EXPECT_NEAR(end(), 100.0, 1e-9);
+}
+
+TEST_F(SmoothingPanel, TheRangeIsSaidInWords) {
+  auto* said = find<QLabel>("smoothingSpacing");
+  EXPECT_EQ(said->text(), "31 values, log spaced");
+  for (const auto& [range, words] :
+       std::map<QString, QString>{{"0.5:1:3", "3 values, evenly spaced"}, {"0.5,1", "2 values"}, {"2", "1 value"}}) {
+    sweepOver(range);
+    EXPECT_EQ(said->text(), words);
+  }
 }
 
 TEST_F(SmoothingPanel, SmallFacesDifferAndSetA) {

@@ -17,6 +17,18 @@ TEST(SpectrumFigure, OneSchemeIsDrawnAsBarsOfItsMeasures) {
   EXPECT_EQ(figure.panels[2].marks[0].value, 0.1);
 }
 
+/// The caption names the panel by the letter that it has, whatever is beside it.
+TEST(SpectrumFigure, PartsAreLetteredInTheirOrder) {
+  using Part = mien::SpectrumPart;
+  EXPECT_NE(mien::spectrumFigure({{"spline", modes}}, {}).caption.find("(c) What the sum"), std::string::npos);
+  const mien::Figure two = mien::spectrumFigure({{"spline", modes}}, {}, {Part::Energy, Part::Missing});
+  ASSERT_EQ(two.panels.size(), 2u);
+  EXPECT_EQ(two.panels[0].y.title, "Share of the energy");
+  EXPECT_NE(two.caption.find("(b) What the sum"), std::string::npos);
+  const mien::Figure one = mien::spectrumFigure({{"spline", modes}}, {}, {Part::Missing});
+  EXPECT_EQ(one.caption.find('('), std::string::npos);
+}
+
 TEST(SpectrumFigure, SeveralSchemesDifferInMoreThanColour) {
   const mien::Figure figure = mien::spectrumFigure({{"four-curve", modes}, {"spline", modes}}, {});
   for (const mien::Chart& panel : figure.panels)

@@ -110,6 +110,8 @@ TEST_F(SpectrumPanel, ItsFigureSaysOfWhichFaceItIs) {
   const QByteArray text = file.readAll();
   EXPECT_TRUE(text.contains("Spectrum of the surface: joy at 0.5"));
   EXPECT_TRUE(text.contains("Generic face, scheme spline; a = 1; N = 5 with remainder; joy at 0.5"));
+  EXPECT_TRUE(text.contains("(b)")) << "lettered as the dock is";
+  EXPECT_FALSE(text.contains("(c)"));
   file.remove();
 }
 

@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QProcess>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -113,6 +114,19 @@ TEST_F(StudioProgram, OffersWhatItShowedWhenItWasKilledAndRestoresIt) {
   const auto isRestored = [&] { return kept().size() == 1 && kept().front() != before; };
   ASSERT_TRUE(repeat([&] { again.window->pressAlt('s'); }, isRestored)) << "the bar has the button Restore";
   EXPECT_EQ(faceIn(kept().front()), face);
+}
+
+/// The display of the tests, 1920 x 1200, has 1280 x 800 pixels of this size, some of which a desktop needs for titles.
+TEST_F(StudioProgram, FitsOntoASmallScreenOfLargePixels) {
+  const QString file = data.filePath("window.png");
+  qputenv("QT_SCALE_FACTOR", "1.5");
+  const auto process = begin({"--picture", file});
+  qunsetenv("QT_SCALE_FACTOR");
+  ASSERT_TRUE(process->waitForFinished(programWait)) << process->errorString().toStdString();
+  const QImage picture(file);
+  EXPECT_EQ(picture.width(), 1920);
+  EXPECT_GT(picture.height(), 1000);
+  EXPECT_LE(picture.height(), 1200 - 1.5 * 37);
 }
 
 TEST_F(StudioProgram, OpensItsWindowWithADamagedSession) {

@@ -32,6 +32,29 @@ TEST(SweepFigure, AxesEndNearTheLastSurfaceThatIsAFace) {
   EXPECT_EQ(*chart->series[0].breakdown, 2.0);
 }
 
+/// Where no scheme's surface is a face any more there is nothing to see: the plot does not keep half of itself for it.
+TEST(SweepFigure, TheAxisOfAEndsSoonAfterTheLastBreakdown) {
+  std::vector<mien::SweepRecord> records;
+  for (double a = 0.125; a <= 128.0; a *= 2.0)
+    for (const char* scheme : {"four-curve", "spline"}) records.push_back(record(scheme, a, a < 4.0 ? 100.0 + a : 1e9));
+  const mien::Figure both = mien::sweepFigure(records, {{"four-curve", 2.0}, {"spline", 4.0}}, 1.0);
+  const mien::Chart* area = panel(both, "Area");
+  EXPECT_EQ(area->x.end, 8.0);
+  EXPECT_LE(*area->y.end, 110.0) << "what a broken surface has does not stretch the axis";
+  EXPECT_GE(*area->y.begin, 90.0);
+  EXPECT_EQ(area->series[0].x.back(), 128.0);  // the data themselves are complete
+  EXPECT_NE(both.caption.find("end at twice"), std::string::npos);
+  const mien::Figure oneHolds = mien::sweepFigure(records, {{"four-curve", 2.0}}, 1.0);
+  EXPECT_FALSE(panel(oneHolds, "Area")->x.end);
+  EXPECT_EQ(oneHolds.caption.find("end at twice"), std::string::npos);
+}
+
+TEST(SweepFigure, ValuesThatAreAllZeroLieOnTheAxis) {
+  const mien::Figure figure = mien::sweepFigure({record("spline", 1.0, 0.0), record("spline", 2.0, 0.0)}, {}, 1.0);
+  EXPECT_EQ(panel(figure, "Seam angle")->y.begin, 0.0);
+  EXPECT_EQ(panel(figure, "Folded cells")->y.begin, 0.0);
+}
+
 TEST(SweepFigure, ValuesOfAAreDrawnInTheirOrder) {
   const mien::Figure figure = mien::sweepFigure({record("spline", 5.0, 1.0), record("spline", 1.0, 2.0)}, {}, 1.0);
   EXPECT_EQ(figure.panels[0].series[0].x, (std::vector<double>{1.0, 5.0}));

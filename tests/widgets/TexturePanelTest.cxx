@@ -87,6 +87,16 @@ TEST_F(TexturePanel, ThePaintedFaceDressesTheSkinAndStandsInTheState) {
   EXPECT_EQ(message(), "");
 }
 
+TEST_F(TexturePanel, WithoutAPhotographItSaysHowToGetOne) {
+  EXPECT_TRUE(find<QWidget>("textureEmpty")->isVisible());
+  EXPECT_TRUE(find<QToolButton>("textureEmptyOpen")->isVisible());
+  EXPECT_FALSE(mesh->isVisible());
+  QTest::mouseClick(find<QToolButton>("textureEmptyPainted"), Qt::LeftButton);
+  ASSERT_TRUE(waitForWhole());
+  EXPECT_TRUE(mesh->isVisible());
+  EXPECT_FALSE(find<QWidget>("textureEmpty")->isVisible());
+}
+
 TEST_F(TexturePanel, TheStateAloneDressesTheFace) {
   window->model().change([](mien::FaceState& state) {
     state.texture = painted.toStdString();

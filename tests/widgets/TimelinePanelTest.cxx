@@ -28,6 +28,27 @@ TEST_F(TimelinePanel, WaitsForAFile) {
   EXPECT_TRUE(find<QLabel>("timelineTitle")->text().contains(".fap"));
 }
 
+/// One slim line without an animation; with one as high whatever it does.
+TEST_F(TimelinePanel, TakesRoomOnceThereIsAnAnimation) {
+  auto* panel = find<QWidget>("timelinePanel");
+  EXPECT_LE(panel->height(), 40);
+  EXPECT_FALSE(find<QToolButton>("timelinePlay")->isVisible());
+  QTest::mouseClick(find<QToolButton>("timelineDemonstration"), Qt::LeftButton);
+  settle();
+  EXPECT_GT(window->model().frameCount(), 0);
+  EXPECT_TRUE(window->player().isPlaying());
+  EXPECT_TRUE(find<QToolButton>("timelinePlay")->isVisible());
+  const QRect open = panel->geometry();
+  ASSERT_TRUE(waitUntil([this] { return window->model().frameIndex() > 3; }));
+  EXPECT_EQ(panel->geometry(), open);
+  window->player().pause();
+  settle();
+  EXPECT_EQ(panel->geometry(), open);
+  QTest::mouseClick(find<QToolButton>("timelineClose"), Qt::LeftButton);
+  settle();
+  EXPECT_LE(panel->height(), 40);
+}
+
 TEST_F(TimelinePanel, AnOpenedFileIsShownAtItsFirstFrame) {
   ASSERT_TRUE(window->openAnimation(writeLids(11, 5)));
   EXPECT_EQ(find<ValueSlider>("timelinePosition")->maximum(), 10);

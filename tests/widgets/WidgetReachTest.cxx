@@ -18,6 +18,7 @@
 #include <map>
 
 #include "StudioFixture.h"
+#include "Theme.h"
 
 namespace {
 
@@ -179,6 +180,69 @@ TEST_F(WidgetReach, ChoosingAColouringMovesNoView) {
     settle();
     EXPECT_TRUE(find<QWidget>("colorEnd")->isVisible());
     EXPECT_EQ(view->mapTo(window.get(), QPoint()), before) << width;
+  }
+}
+
+/// Every entry stands below a heading, and does what the window's button or list does.
+TEST_F(WidgetReach, TheViewMenuHasSections) {
+  auto* menu = find<QMenu>("viewMenu");
+  QStringList headings;
+  ASSERT_TRUE(menu->actions().front()->isSeparator());
+  for (const QAction* action : menu->actions())
+    if (action->isSeparator()) headings << action->text();
+  EXPECT_EQ(headings, QStringList({"Camera", "Face", "Curves", "Workspace and docks", "Pictures", "Window"}));
+  EXPECT_LE(menu->sizeHint().height(), 600) << "in the smallest window too";
+  const auto entry = [&](QMenu* of, const QString& text) {
+    emit of->aboutToShow();
+    for (QAction* action : of->actions())
+      if (action->text().remove('&') == text) return action;
+    return static_cast<QAction*>(nullptr);
+  };
+  auto* wireframe = entry(find<QMenu>("drawingMenu"), "Wireframe");
+  ASSERT_TRUE(wireframe);
+  wireframe->trigger();
+  EXPECT_EQ(find<QComboBox>("faceMesh")->currentText(), "Wireframe");
+  EXPECT_TRUE(entry(find<QMenu>("drawingMenu"), "Wireframe")->isChecked());
+  auto* names = entry(menu, "Names beside the face");
+  ASSERT_TRUE(names);
+  EXPECT_FALSE(names->isChecked());
+  names->trigger();
+  EXPECT_TRUE(find<QAbstractButton>("faceCurveNames")->isChecked());
+  EXPECT_TRUE(entry(menu, "Names beside the face")->isChecked());
+}
+
+/// Also in dark colours.
+TEST_F(WidgetReach, ButtonsOfDocksCanBeSeen) {
+  for (mien::Theme::Kind kind : {mien::Theme::Kind::Dark, mien::Theme::Kind::Light}) {
+    mien::Theme::apply(kind, *qApp);
+    settle();
+    int buttons = 0;
+    for (auto* button :
+         find<QDockWidget>("fapDock")->findChildren<QAbstractButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+      if (!button->isVisible()) continue;
+      const QImage image = button->grab().toImage();
+      int darkest = 255, lightest = 0;
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+          darkest = std::min(darkest, qGray(image.pixel(x, y)));
+          lightest = std::max(lightest, qGray(image.pixel(x, y)));
+        }
+      EXPECT_GT(lightest - darkest, 140) << button->objectName().toStdString();
+      ++buttons;
+    }
+    EXPECT_EQ(buttons, 2) << "one detaches, one closes";
+  }
+}
+
+/// Flat, as all else: one colour from top to bottom.
+TEST_F(WidgetReach, ListsHaveNoGradient) {
+  for (mien::Theme::Kind kind : {mien::Theme::Kind::Dark, mien::Theme::Kind::Light}) {
+    mien::Theme::apply(kind, *qApp);
+    settle();
+    auto* list = find<QComboBox>("faceMesh");
+    const QImage image = list->grab().toImage();
+    const QColor inside = mien::Theme::current().panel;
+    for (int y = 3; y < image.height() - 3; ++y) EXPECT_EQ(image.pixelColor(4, y), inside) << y;
   }
 }
 

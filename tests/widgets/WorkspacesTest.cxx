@@ -3,12 +3,18 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTabBar>
 #include <QTemporaryDir>
+#include <QToolButton>
 #include <algorithm>
 
+#include "ColorScale.h"
+#include "DockScroll.h"
+#include "OverflowRow.h"
 #include "SessionDocument.h"
 #include "StudioFixture.h"
 #include "Workspaces.h"
@@ -109,6 +115,83 @@ TEST_F(Workspaces, AllCanBeUsedInTheSmallestWindow) {
       EXPECT_TRUE(room->rect().contains(place)) << i << " " << name.toStdString();
     }
   }
+}
+
+/// One row above each view, whatever the width: what has no room waits in a panel, named and within reach.
+TEST_F(Workspaces, NoButtonStandsInARowOfItsOwn) {
+  for (const QSize& size : {QSize(960, 660), QSize(1000, 700), QSize(1280, 800)}) {
+    window->resize(size);
+    settle();
+    for (const char* name : {"faceViewHeader", "curveViewHeader", "coloringBar", "curveKey"}) {
+      auto* row = find<mien::OverflowRow>(name);
+      int high = 0, waiting = 0;
+      for (const auto* button : row->findChildren<QToolButton*>()) {
+        if (button == row->more()) continue;
+        high = std::max(high, button->sizeHint().height());
+        waiting += row->isInPanel(button);
+        if (button->isVisible()) EXPECT_TRUE(row->rect().contains(button->geometry())) << name;
+      }
+      EXPECT_LT(row->height(), 2 * high) << name << " at " << size.width();
+      EXPECT_TRUE(!waiting || row->more()->isVisible()) << name << " at " << size.width();
+    }
+    EXPECT_EQ(find<mien::OverflowRow>("faceViewHeader")->more()->isVisible(), size.width() < 1280);
+  }
+}
+
+TEST_F(Workspaces, WhatWaitsInAPanelWorksThereAndComesBack) {
+  window->resize(smallest);
+  settle();
+  auto* row = find<mien::OverflowRow>("curveViewHeader");
+  auto* link = find<QToolButton>("curveLink");
+  ASSERT_TRUE(row->isInPanel(link));
+  EXPECT_FALSE(link->isVisible());
+  QTest::mouseClick(row->more(), Qt::LeftButton);
+  ASSERT_TRUE(link->isVisible());
+  EXPECT_TRUE(link->window() != window.get());
+  QTest::mouseClick(link, Qt::LeftButton);
+  EXPECT_FALSE(link->isChecked());
+  link->window()->close();
+  window->resize(1280, 800);
+  settle();
+  EXPECT_FALSE(row->isInPanel(link));
+  EXPECT_TRUE(link->isVisible());
+  EXPECT_FALSE(link->isChecked());
+  EXPECT_EQ(find<QToolButton>("curveFrontOnly")->nextInFocusChain(), link) << "Tab goes from left to right again";
+  EXPECT_LT(find<QToolButton>("curveFrontOnly")->x(), link->x());
+}
+
+/// Neither the window nor a dock of the small Deform workspace scrolls sideways.
+TEST_F(Workspaces, DocksBelowNeverScrollSideways) {
+  for (const QSize& size : {QSize(1000, 700), smallest}) {
+    window->resize(size);
+    settle();
+    for (int i : {3, 4}) {
+      choose(i);
+      for (const auto* area : window->findChildren<mien::DockScroll*>())
+        if (area->isVisible())
+          EXPECT_FALSE(area->horizontalScrollBar()->isVisible()) << i << " " << area->objectName().toStdString();
+    }
+  }
+}
+
+/// Of the scale of the curves, whatever it ends with.
+TEST_F(Workspaces, NumbersOfTheScaleKeepApart) {
+  window->resize(smallest);
+  settle();
+  auto* scale = find<mien::ColorScale>("curveScale");
+  EXPECT_GE(scale->width(), scale->minimumSizeHint().width());
+  for (double width : {20.0, 40.0, 60.0, 200.0}) {
+    for (double end : {2.0, 0.25, 7.5, 125.0}) {
+      find<QDoubleSpinBox>("curveRange")->setValue(end);
+      const std::vector<QRectF> places = scale->numberPlaces({100.0, 5.0, width, 9.0});
+      for (size_t i = 2; i < places.size(); ++i)
+        for (size_t other = 0; other < i; ++other)
+          EXPECT_FALSE(places[i].intersects(places[other])) << width << " pixels, " << end << " mm";
+    }
+  }
+  find<QDoubleSpinBox>("curveRange")->setValue(2.0);
+  EXPECT_EQ(scale->numberPlaces({100.0, 5.0, 200.0, 9.0}).size(), 3u);
+  EXPECT_EQ(scale->numberPlaces({100.0, 5.0, 20.0, 9.0}).size(), 2u);
 }
 
 TEST_F(Workspaces, ALargeWindowHasDocksBesideEachOtherAndTheFAPs) {

@@ -4,6 +4,8 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QScrollBar>
+#include <algorithm>
 #include <cmath>
 
 #include "DefaultRegions.h"
@@ -18,8 +20,9 @@ namespace {
 constexpr int coefficientCount = 12, rmsColumn = 12, allColumns = 13;
 constexpr double noMovement = 1e-5;  // of the largest coefficient of a map: less moves nothing and reads 0
 constexpr double smaller = 0.85;     // of the application's letters: 13 columns in half a window
-constexpr int lineHeight = 21, shownRows = 10, leastWidth = 44;  // pixels
+constexpr int lineHeight = 21, shownRows = 10, leastWidth = 44, headerMargins = 14;  // pixels
 constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
+constexpr const char* shortUnits[] = {"1/pu", "1/pu", "1/pu", "\u2013", "\u2013", "pu"};
 constexpr const char* units[] = {"1/pupil unit", "1/pupil unit", "1/pupil unit", "no unit", "no unit", "pupil units"};
 
 double valueOf(const DeformationTable& table, int region, int coefficient) {
@@ -47,6 +50,11 @@ QString cellText(double value, double largest) {
 
 QString regionText(int region) {
   return QString("%1 %2").arg(region).arg(QString::fromStdString(defaultRegions().name(region)));
+}
+
+/// Of the longest names only what tells them apart; the tooltip and the line below have all of it.
+QString shortRegionText(int region) {
+  return regionText(region).section(" and ", 0, 0).remove(" corner");
 }
 
 }  // namespace
@@ -79,20 +87,28 @@ CoefficientTable::CoefficientTable(QWidget* parent) : QTableWidget(DeformationTa
 
 void CoefficientTable::addHeaders() {
   for (int i = 0; i < coefficientCount; ++i) {
-    auto* header = new QTableWidgetItem(QString::fromStdString(coefficientName(i)));
-    header->setToolTip(tr("%1: factor of %2 in %3' (%4); the scale below a number is mean \u00b1 sd of the expression, "
-                          "bold with an arrow what lies outside it")
-                           .arg(header->text(), QString::fromUtf8(factors[i % 6]), i < 6 ? "x" : "y", units[i % 6]));
+    const QString name = QString::fromStdString(coefficientName(i));
+    auto* header = new QTableWidgetItem(name + '\n' + QString::fromUtf8(shortUnits[i % 6]));
+    header->setToolTip(tr("%1: factor of %2 in %3' (%4; pu is one pupil unit, half the distance of the pupils); the "
+                          "scale below a number is mean \u00b1 sd of the expression, bold with an arrow what lies "
+                          "outside it")
+                           .arg(name, QString::fromUtf8(factors[i % 6]), i < 6 ? "x" : "y", units[i % 6]));
     setHorizontalHeaderItem(i, header);
   }
-  auto* rms = new QTableWidgetItem(tr("RMS"));
+  auto* rms = new QTableWidgetItem(tr("RMS\npu"));
   rms->setToolTip(tr("Root mean square of what the fit leaves in the region, in pupil units"));
   setHorizontalHeaderItem(rmsColumn, rms);
   for (int region = 1; region <= rowCount(); ++region) {
-    auto* header = new QTableWidgetItem(QString::number(region));
+    auto* header = new QTableWidgetItem(shortRegionText(region));
+    header->setFont(font());
+    header->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     header->setToolTip(regionText(region));
     setVerticalHeaderItem(region - 1, header);
   }
+  int widest = 0;
+  for (int region = 0; region < rowCount(); ++region)
+    widest = std::max(widest, QFontMetrics(font()).horizontalAdvance(verticalHeaderItem(region)->text()));
+  verticalHeader()->setFixedWidth(widest + headerMargins);
   horizontalHeader()->setMinimumSectionSize(leastWidth);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   horizontalHeader()->setHighlightSections(false);
@@ -188,7 +204,9 @@ std::string CoefficientTable::text() const {
 }
 
 QSize CoefficientTable::sizeHint() const {
-  return {allColumns * leastWidth + 30, shownRows * lineHeight + 24};
+  return {
+      allColumns * leastWidth + verticalHeader()->width() + verticalScrollBar()->sizeHint().width() + 2 * frameWidth(),
+      shownRows * lineHeight + horizontalHeader()->sizeHint().height()};
 }
 
 }  // namespace mien

@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -10,7 +11,6 @@
 
 #include "FaceColoring.h"
 #include "SessionPart.h"
-#include "WrappingRow.h"
 
 namespace mien {
 
@@ -19,6 +19,7 @@ namespace {
 constexpr double largestValue = 1e6;
 constexpr int mostDecimals = 6, fieldWidth = 58;  // digits, pixels
 constexpr int usualLetters = 20, mostLetters = 31;
+constexpr int leastList = 130;  // pixels, with which "Skin" and the first words of a quantity can be read
 
 /// A number with the digits that say something: "0.05", not "0.050000".
 class NumberBox : public QDoubleSpinBox {
@@ -37,8 +38,9 @@ class NumberBox : public QDoubleSpinBox {
 }  // namespace
 
 ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
-    : QWidget(parent),
+    : OverflowRow("coloringBar", parent),
       coloring_(coloring),
+      range_(new QWidget(this)),
       choice_(new QComboBox(this)),
       automatic_(toggle("colorAutomatic", tr("Auto"),
                         tr("The range follows the face: it grows with the values and never shrinks; press twice to fit "
@@ -46,22 +48,8 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
       begin_(new NumberBox(this)),
       to_(new QLabel(tr("\u2013"), this)),
       end_(new NumberBox(this)) {
-  setObjectName("coloringBar");
   describe();
-  auto* row = new WrappingRow(this);
-  row->setSpacing(3);
-  auto* label = new QLabel(tr("Co&lour by"), this);
-  label->setBuddy(choice_);
-  QToolButton* curves = toggle("faceCurves", tr("Curves"), tr("The 29 boundary curves as lines on the face"));
-  QToolButton* names =
-      toggle("faceCurveNames", tr("Names"),
-             tr("The names of the curves beside the face: C1 .. C28, and C22', the lower lip's inner contour"));
-  for (QWidget* widget : std::initializer_list<QWidget*>{curves, names, label, choice_, automatic_, begin_, to_, end_})
-    row->addWidget(widget);
-  QWidget* const inputs[] = {curves, names, choice_, automatic_, begin_, end_};
-  for (size_t i = 1; i < std::size(inputs); ++i) setTabOrder(inputs[i - 1], inputs[i]);
-  connect(curves, &QToolButton::toggled, this, &ColoringBar::curvesToggled);
-  connect(names, &QToolButton::toggled, this, &ColoringBar::namesToggled);
+  fillRow();
   connect(choice_, &QComboBox::currentTextChanged, coloring_, &FaceColoring::choose);
   connect(choice_, &QComboBox::currentTextChanged, this, &ColoringBar::colorChosen);
   connect(automatic_, &QToolButton::toggled, this, [this](bool on) {
@@ -77,6 +65,31 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
   list();
 }
 
+/// Where there is little room the range of the colours leaves first; what they mean stays.
+void ColoringBar::fillRow() {
+  setSpacing(3);
+  auto* label = new QLabel(tr("Co&lour by"), this);
+  label->setBuddy(choice_);
+  QToolButton* curves = toggle("faceCurves", tr("Curves"), tr("The 29 boundary curves as lines on the face"));
+  QToolButton* names =
+      toggle("faceCurveNames", tr("Names"),
+             tr("The names of the curves beside the face: C1 .. C28, and C22', the lower lip's inner contour"));
+  auto* numbers = new QHBoxLayout(range_);
+  numbers->setContentsMargins(0, 0, 0, 0);
+  numbers->setSpacing(3);
+  for (QWidget* widget : std::initializer_list<QWidget*>{automatic_, begin_, to_, end_}) numbers->addWidget(widget);
+  addWidget(curves, 1);
+  addWidget(names, 2);
+  addWidget(label);
+  addWidget(choice_);
+  addWidget(range_, 3);
+  addStretch();
+  QWidget* const inputs[] = {curves, names, choice_, automatic_, begin_, end_};
+  for (size_t i = 1; i < std::size(inputs); ++i) setTabOrder(inputs[i - 1], inputs[i]);
+  connect(curves, &QToolButton::toggled, this, &ColoringBar::curvesToggled);
+  connect(names, &QToolButton::toggled, this, &ColoringBar::namesToggled);
+}
+
 void ColoringBar::describe() {
   choice_->setObjectName("colorBy");
   choice_->setToolTip(
@@ -84,6 +97,8 @@ void ColoringBar::describe() {
          "array of the surface with its unit; or what a dock shows on it, until another is chosen here"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   choice_->setMinimumContentsLength(usualLetters);
+  choice_->setMinimumWidth(leastList);
+  choice_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   automatic_->setChecked(true);
   begin_->setObjectName("colorBegin");
   begin_->setAccessibleName(tr("First colour"));
@@ -127,6 +142,7 @@ void ColoringBar::list() {
   }
   const int letters = coloring_->ofDock().size() + 1;  // the range, which takes room else, is hidden then
   choice_->setMinimumContentsLength(std::clamp(letters, usualLetters, mostLetters));
+  choice_->setMaximumWidth(choice_->sizeHint().width());
   follow();
 }
 

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <QWidget>
+#include "OverflowRow.h"
 
 class QComboBox;
 class QDoubleSpinBox;
-class QLabel;
 class QLabel;
 class QToolButton;
 
@@ -15,7 +14,7 @@ class FaceColoring;
 
 /// What the face is coloured by, the range of the colours, and whether its curves lie on it.
 /// Its widgets are colorBy, colorAutomatic, colorBegin, colorEnd, faceCurves and faceCurveNames.
-class ColoringBar : public QWidget {
+class ColoringBar : public OverflowRow {
   Q_OBJECT
  public:
   ColoringBar(FaceColoring* coloring, QWidget* parent = nullptr);
@@ -27,6 +26,7 @@ class ColoringBar : public QWidget {
 
  private:
   void describe();
+  void fillRow();
   static void keepPlace(QWidget* widget, bool keep);
   void showRange();
   QToolButton* toggle(const QString& name, const QString& text, const QString& toolTip);
@@ -34,6 +34,7 @@ class ColoringBar : public QWidget {
   void follow();
 
   FaceColoring* coloring_;
+  QWidget* range_;
   QComboBox* choice_;
   QToolButton* automatic_;
   QDoubleSpinBox* begin_;

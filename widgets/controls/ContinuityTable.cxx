@@ -13,13 +13,12 @@ namespace mien {
 
 namespace {
 
-constexpr double rounding = 1e-7;  // what is smaller is the rounding of the jets
 constexpr double smallest = 1e-3;
 constexpr int lineOfTable = 20;  // pixels
 
 QString seamNumberText(double value) {
   if (!std::isfinite(value)) return QStringLiteral("\u2013");
-  if (std::abs(value) < rounding) return QStringLiteral("0");
+  if (value == 0.0) return QStringLiteral("0");
   if (std::abs(value) < smallest) return QString::number(value, 'g', 1).replace("e-0", "e-");  // has to fit its column
   return QString::number(value, 'g', 3);
 }
@@ -48,6 +47,7 @@ ContinuityTable::ContinuityTable(QWidget* parent) : QTableWidget(parent) {
     header->setToolTip(columns[i].toolTip);
     setHorizontalHeaderItem(static_cast<int>(i) + 1, header);
   }
+  horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   setMinimumWidth(360);
 }
 

@@ -1,6 +1,5 @@
 #include "CurveKeyBar.h"
 
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QToolButton>
 
@@ -17,7 +16,8 @@ constexpr double longestRange = 200.0;  // mm
 
 }  // namespace
 
-CurveKeyBar::CurveKeyBar(CurveView* view, QWidget* parent) : QFrame(parent), scale_(new ColorScale(view, this)) {
+CurveKeyBar::CurveKeyBar(CurveView* view, QWidget* parent)
+    : OverflowRow("curveKey", parent), scale_(new ColorScale(view, this)) {
   auto* range = new RangeBox("curveRange", longestRange, this);
   range->setAccessibleName(tr("Movement of the last colour"));
   range->setToolTip(
@@ -29,12 +29,11 @@ CurveKeyBar::CurveKeyBar(CurveView* view, QWidget* parent) : QFrame(parent), sca
   head->setCheckable(true);
   head->setFocusPolicy(Qt::TabFocus);
   head->setToolTip(tr("Whether the turns of the head (FAP 48 to 50) count as movement of the curves"));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 6, 2);
-  row->setSpacing(4);
-  row->addWidget(scale_, 1);
-  row->addWidget(range);
-  row->addWidget(head);
+  setMargins(0, 0, 6, 2);
+  setSpacing(4);
+  addWidget(scale_);
+  addWidget(range, 2);
+  addWidget(head, 1);
   const auto follow = [view, range] { range->showAutomatic(view->automaticEnd()); };
   connect(range, QOverload<double>::of(&QDoubleSpinBox::valueChanged), view, &CurveView::setFixedRange);
   connect(head, &QToolButton::toggled, view, &CurveView::setWithHead);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QFrame>
+#include "OverflowRow.h"
 
 namespace mien {
 
@@ -9,7 +9,7 @@ class CurveView;
 
 /// Below the curve view: what its colours mean, and what changes that. Its widgets are curveScale, curveRange and
 /// curveHead.
-class CurveKeyBar : public QFrame {
+class CurveKeyBar : public OverflowRow {
   Q_OBJECT
  public:
   explicit CurveKeyBar(CurveView* view, QWidget* parent = nullptr);

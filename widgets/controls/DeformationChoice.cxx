@@ -44,6 +44,7 @@ DeformationChoice::DeformationChoice(FaceModel* model, QWidget* parent)
       percent_(new QSpinBox(this)),
       blend_(new QCheckBox(tr("Blend regions"), this)) {
   describeControls();
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(table_);
@@ -75,6 +76,7 @@ void DeformationChoice::describeControls() {
   open_->setToolTip(tr("A table from a file (.csv, or packed), as <i>mien fdt</i> and Save write them"));
   open_->setFocusPolicy(Qt::TabFocus);
   strength_->setObjectName("deformationStrength");
+  strength_->setMinimumWidth(40);
   strength_->setRange(-mostPercent, mostPercent);
   strength_->setPageStep(10);
   strength_->setDoubleClickResets(true);

@@ -196,10 +196,7 @@ Figure ContinuityPanel::profileFigure() const {
       profiles.push_back(schemes_[i].profile(seam_, kind.array));
   if (profiles.empty()) return {};
   ChartAxis axis = kind.axis;
-  double largest = 0.0;
-  for (const SeamProfile& profile : profiles) largest = std::max(largest, largestOf(profile));
   axis.begin = 0.0;
-  if (largest < kind.leastRange) axis.end = kind.leastRange;  // rounding is not stretched to fill the chart
   Figure figure = continuityFigure(profiles, axis);
   std::vector<std::string> shown;
   for (const SeamProfile& profile : profiles) shown.push_back(profile.scheme);

@@ -106,6 +106,17 @@ void CurvePanel::describeTabs() {
   tabs_->addTab(scan_, tr("Scan"));
   tabs_->setTabToolTip(0, tr("Points of the curves are moved by hand"));
   tabs_->setTabToolTip(1, tr("The curves of a scan of a head, and its distance from the face"));
+  giveRoom();
+}
+
+/// A page that is not shown takes none: a long report of a scan does not make the other page scroll.
+void CurvePanel::giveRoom() {
+  for (int i = 0; i < tabs_->count(); ++i) {
+    const bool isShown = i == tabs_->currentIndex();
+    tabs_->widget(i)->setSizePolicy(isShown ? QSizePolicy::Preferred : QSizePolicy::Ignored,
+                                    isShown ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+    tabs_->widget(i)->updateGeometry();
+  }
 }
 
 void CurvePanel::describePlace() {
@@ -227,7 +238,10 @@ void CurvePanel::connectControls() {
   connect(edits_, &QListWidget::currentRowChanged, remove_, [this](int row) { remove_->setEnabled(row >= 0); });
   connect(model_, &FaceModel::stateChanged, this, &CurvePanel::showEdits);
   connect(scan_, &ScanPanel::opened, this, [this] { tabs_->setCurrentWidget(scan_); });
-  connect(tabs_, &QTabWidget::currentChanged, this, [this] { drag_->setChecked(false); });
+  connect(tabs_, &QTabWidget::currentChanged, this, [this] {
+    drag_->setChecked(false);
+    giveRoom();
+  });
   connect(model_, &FaceModel::updated, this, [this] { point_->setMaximum(model_->pointsPerCurve() - 1); });
   point_->setMaximum(model_->pointsPerCurve() - 1);
   point_->setValue(model_->pointsPerCurve() / 2);

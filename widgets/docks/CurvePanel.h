@@ -44,6 +44,7 @@ class CurvePanel : public QWidget {
   QWidget* listColumn();
   QWidget* rowOf(const std::vector<std::pair<QString, QWidget*>>& controls);
   void describeTabs();
+  void giveRoom();
   void describePlace();
   void describeMove();
   void describeButtons();

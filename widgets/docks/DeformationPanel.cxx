@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMimeData>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -15,6 +16,7 @@
 #include "CoefficientTable.h"
 #include "DeformationChoice.h"
 #include "ElidedLabel.h"
+#include "EmptyState.h"
 #include "ExportButton.h"
 #include "FaceModel.h"
 #include "FaceNote.h"
@@ -24,6 +26,7 @@
 #include "FlipBox.h"
 #include "LiveUpdate.h"
 #include "NamedTables.h"
+#include "OverflowRow.h"
 #include "PresentTable.h"
 #include "RecognitionFigure.h"
 #include "RegionOverlay.h"
@@ -33,7 +36,8 @@ namespace mien {
 namespace {
 
 enum Shown { Present, Chosen };
-constexpr int nearestMean = 0;  // first entry of the means; the expressions follow
+constexpr int leastFigure = 180;  // pixels beside the table
+constexpr int nearestMean = 0;    // first entry of the means; the expressions follow
 
 QString droppedTable(const QMimeData* data) {
   for (const QUrl& url : data->urls())
@@ -52,6 +56,7 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
       overlay_(new RegionOverlay(model, view, this)),
       coefficients_(new CoefficientTable(this)),
       figure_(new FigureView("deformationFigure", FigureView::Marker::Band, this)),
+      pages_(new QStackedWidget(this)),
       shown_(new QComboBox(this)),
       mean_(new QComboBox(this)),
       detail_(new ElidedLabel(this)),
@@ -65,8 +70,17 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
   column->setSpacing(4);
   column->addWidget(controls());
   column->addWidget(new FitBar(model_, present_, this));
-  column->addWidget(new FlipBox(coefficients_, expressionColumn(), 5, 2, this), 1);
-  column->addWidget(rangeRow());
+  auto* results = new QWidget(pages_);
+  auto* rows = new QVBoxLayout(results);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(4);
+  auto* both = new FlipBox(coefficients_, expressionColumn(), 3, 1, this);
+  both->showAllOfFirst(leastFigure);
+  rows->addWidget(both, 1);
+  rows->addWidget(rangeRow());
+  pages_->addWidget(emptyState());
+  pages_->addWidget(results);
+  column->addWidget(pages_, 1);
   connectControls();
   new LiveUpdate(
       model, this, [this] { refresh(); }, [this] { return overlay_->isShown(); });
@@ -97,6 +111,7 @@ void DeformationPanel::describeControls() {
          "50 % to 150 %, by which that table's movement comes nearest"));
   detail_->setProperty("faint", true);
   expression_->setProperty("heading", true);
+  figure_->setMinimumWidth(leastFigure);
   figure_->setAccessibleName(tr("Movement that each expression does not explain"));
   figure_->setToolTip(
       tr("RMS of the movement that each mean table does not explain, in pupil units: the shortest bar is nearest. "
@@ -104,16 +119,38 @@ void DeformationPanel::describeControls() {
 }
 
 QWidget* DeformationPanel::controls() {
-  auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(choice_, 1);
-  row->addSpacing(10);
-  row->addWidget(onFace_);
+  auto* row = new OverflowRow("deformationControls", this);
+  row->addWidget(choice_);
+  row->addWidget(onFace_, 1);
   row->addWidget(new ExportButton(
-      "deformationExport", model_, [this](const ExportOptions& options) { return ExportDrawing(figure(), options); },
-      [this] { return coefficients_->text(); }, box));
-  return box;
+                     "deformationExport", model_,
+                     [this](const ExportOptions& options) { return ExportDrawing(figure(), options); },
+                     [this] { return coefficients_->text(); }, row),
+                 2);
+  return row;
+}
+
+/// One click shows what the dock is for.
+EmptyState* DeformationPanel::emptyState() {
+  auto* empty = new EmptyState(
+      "deformationEmpty", tr("Nothing moves the face yet"),
+      tr("A facial deformation table bends 16 regions of the face with twelve coefficients each. Choose one above, "
+         "drop "
+         "a file here, or take an example. Or move the face by expressions and FAPs: then the table that does the same "
+         "is fitted, and the expression it is nearest to is named."),
+      pages_);
+  for (const std::string& name : PresentTable::expressions()) {
+    const QString title = QString::fromStdString(name);
+    QToolButton* example = empty->addButton("deformationExample_" + title, title.left(1).toUpper() + title.mid(1),
+                                            tr("Bends the face by the mean table of %1 over 12 subjects").arg(title));
+    connect(example, &QToolButton::clicked, this, [this, name] {
+      model_->change([&](FaceState& state) {
+        state.deformation.table = name;
+        state.deformation.strength = 1.0;
+      });
+    });
+  }
+  return empty;
 }
 
 /// Whose coefficients the table shows, and the one that is chosen in words.
@@ -148,7 +185,10 @@ void DeformationPanel::connectControls() {
   connect(present_, &PresentTable::changed, this, [this] {
     showExpression();
     showCoefficients();
+    showPage();
   });
+  connect(shown_, chosen, this, &DeformationPanel::showPage);
+  connect(model_, &FaceModel::stateChanged, this, &DeformationPanel::showPage);
   connect(figure_, &FigureView::picked, this, [this](double x) {
     mean_->setCurrentIndex(std::clamp(static_cast<int>(std::lround(x)) + 1, 1, mean_->count() - 1));
   });
@@ -224,6 +264,15 @@ void DeformationPanel::showCoefficients() {
   const std::string& name = PresentTable::expressions()[mean];
   coefficients_->show(table, name, none ? nullptr : namedTable(name), ofPresent ? &*fit : nullptr);
   detail_->setText(coefficients_->detail());
+}
+
+/// Numbers that say nothing, of a face that does not move, give way to what can be done. A table that is chosen is
+/// shown also where its strength is nothing.
+void DeformationPanel::showPage() {
+  const auto& fit = present_->fit();
+  const bool moves = fit && (!fit->fault.isEmpty() || fit->moves());
+  const bool isChosen = shown_->currentIndex() == Chosen && !model_->state().deformation.table.empty();
+  pages_->setCurrentIndex(moves || isChosen ? 1 : 0);
 }
 
 /// @param asked  by the user, for this region; else a region that is on the face already gives way to the next

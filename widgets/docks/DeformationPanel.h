@@ -5,6 +5,7 @@
 #include "Figure.h"
 
 class QComboBox;
+class QStackedWidget;
 class QToolButton;
 
 namespace mien {
@@ -12,6 +13,7 @@ namespace mien {
 class CoefficientTable;
 class DeformationChoice;
 class ElidedLabel;
+class EmptyState;
 class FaceModel;
 class FaceView;
 class FigureView;
@@ -19,7 +21,8 @@ class PresentTable;
 class RegionOverlay;
 
 /// What does a facial deformation table do to the face, and which table is the face as it stands? Applies a table; fits
-/// one from two states, names the expression, and shows its coefficients beside the range of that expression.
+/// one from two states, names the expression, and shows its coefficients beside the range of that expression. While
+/// nothing moves it offers examples instead.
 class DeformationPanel : public QWidget {
   Q_OBJECT
  public:
@@ -34,11 +37,13 @@ class DeformationPanel : public QWidget {
   QWidget* controls();
   QWidget* rangeRow();
   QWidget* expressionColumn();
+  EmptyState* emptyState();
   void describeControls();
   void connectControls();
   void refresh();
   void showExpression();
   void showCoefficients();
+  void showPage();
   void showRegion(bool asked);
   int nearest() const;
   Figure figure() const;
@@ -49,6 +54,7 @@ class DeformationPanel : public QWidget {
   RegionOverlay* overlay_;
   CoefficientTable* coefficients_;
   FigureView* figure_;
+  QStackedWidget* pages_;
   QComboBox *shown_, *mean_;
   ElidedLabel *detail_, *expression_;
   QToolButton* onFace_;

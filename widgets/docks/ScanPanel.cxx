@@ -11,10 +11,8 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMimeData>
-#include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QSignalBlocker>
 #include <QTimer>
@@ -29,7 +27,9 @@
 #include "FaceModel.h"
 #include "FaceView.h"
 #include "FramedButton.h"
+#include "GrowingText.h"
 #include "LengthUnit.h"
+#include "OverflowRow.h"
 #include "RangeBox.h"
 
 namespace mien {
@@ -69,15 +69,16 @@ ScanPanel::ScanPanel(FaceModel* model, FaceView* view, QWidget* parent)
       frontal_(new QCheckBox(tr("Front only"), this)),
       largest_(new RangeBox("scanLargest", longestRange, this)),
       progress_(new QProgressBar(this)),
-      report_(new QPlainTextEdit(this)) {
+      report_(new GrowingText(this)) {
   setObjectName("scanPanel");
   describeButtons();
   describeMap();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 6, 0, 0);
   column->setSpacing(4);
-  column->addWidget(row({open_, landmarks_, unit_, adopt_, visible_}));
-  column->addWidget(row({new QLabel(tr("Distances"), this), subject_, largest_, frontal_, progress_, cancel_}));
+  column->addWidget(row("scanControls", {open_, landmarks_, unit_, adopt_, visible_}));
+  column->addWidget(
+      row("scanMeasures", {new QLabel(tr("Distances"), this), subject_, largest_, frontal_, progress_, cancel_}));
   column->addWidget(report_, 1);
   actor_->GetProperty()->SetColor(scanColor.redF(), scanColor.greenF(), scanColor.blueF());
   actor_->GetProperty()->SetOpacity(translucent);
@@ -99,8 +100,8 @@ void ScanPanel::describeButtons() {
              tr("Landmarks of the scan from a .csv; without one they are found by fitting the generic face"));
   landmarks_->setCheckable(true);
   landmarks_->setProperty(notInSession, true);  // asks for a file
-  makeFramed(adopt_, "scanAdopt", tr("Adopt curves..."),
-             tr("Writes the scan's curves as .vtp and makes them the face"));
+  makeFramed(adopt_, "scanAdopt", tr("Save and adopt curves..."),
+             tr("Asks where to write the scan's curves (.vtp), and makes that file the face"));
   makeFramed(cancel_, "scanCancel", tr("Cancel"), tr("Stops measuring the scan"));
   unit_->setObjectName("scanUnit");
   unit_->setAccessibleName(tr("Unit of the scan"));
@@ -113,11 +114,8 @@ void ScanPanel::describeButtons() {
   progress_->setObjectName("scanProgress");
   progress_->setFixedWidth(120);
   report_->setObjectName("scanReport");
-  report_->setReadOnly(true);
-  report_->setTabChangesFocus(true);
   report_->setToolTip(tr("What was found: unit, pose, mesh, landmarks, distance of the scan's own spline face"));
   report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  report_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
 }
 
 void ScanPanel::describeMap() {
@@ -135,13 +133,13 @@ void ScanPanel::describeMap() {
       tr("RMS, median, 95 % and largest of what lies in front of z = 50 mm, the face without its head"));
 }
 
-QWidget* ScanPanel::row(const std::vector<QWidget*>& controls) {
-  auto* box = new QWidget(this);
-  auto* layout = new QHBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  for (QWidget* control : controls) layout->addWidget(control);
-  layout->addStretch();
-  return box;
+/// The last ones give way where there is no room for all, but for what is only there while a scan is measured.
+QWidget* ScanPanel::row(const QString& name, const std::vector<QWidget*>& controls) {
+  auto* made = new OverflowRow(name, this);
+  int place = 0;
+  for (QWidget* control : controls) made->addWidget(control, control == progress_ || control == cancel_ ? 0 : place++);
+  made->addStretch();
+  return made;
 }
 
 void ScanPanel::connectButtons() {
@@ -186,8 +184,8 @@ void ScanPanel::chooseLandmarks(bool on) {
 
 void ScanPanel::chooseAdopted() {
   QString name =
-      QFileDialog::getSaveFileName(window(), tr("Save the scan's curves"), QFileInfo(file_).completeBaseName() + ".vtp",
-                                   tr("Boundary curves (*.vtp)"));
+      QFileDialog::getSaveFileName(window(), tr("Save the scan's curves and make them the face"),
+                                   QFileInfo(file_).completeBaseName() + ".vtp", tr("Boundary curves (*.vtp)"));
   if (name.isEmpty()) return;
   if (QFileInfo(name).suffix().isEmpty()) name += ".vtp";
   adopt(name);

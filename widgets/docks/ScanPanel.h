@@ -13,7 +13,6 @@
 class QCheckBox;
 class QComboBox;
 class QMimeData;
-class QPlainTextEdit;
 class QProgressBar;
 class QToolButton;
 class vtkActor;
@@ -23,6 +22,7 @@ namespace mien {
 class BackgroundTask;
 class FaceModel;
 class FaceView;
+class GrowingText;
 class RangeBox;
 
 /// What face does a scan have, and how far is the present one from it? A scan is measured off the GUI thread and shown
@@ -55,7 +55,7 @@ class ScanPanel : public QWidget, public SessionPart {
   struct Found;
   void describeButtons();
   void describeMap();
-  QWidget* row(const std::vector<QWidget*>& controls);
+  QWidget* row(const QString& name, const std::vector<QWidget*>& controls);
   void connectButtons();
   void connectMap();
   void measure();
@@ -80,7 +80,7 @@ class ScanPanel : public QWidget, public SessionPart {
   QCheckBox *visible_, *frontal_;
   RangeBox* largest_;
   QProgressBar* progress_;
-  QPlainTextEdit* report_;
+  GrowingText* report_;
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> curves_, scan_;
   QString file_, landmarkFile_, text_;

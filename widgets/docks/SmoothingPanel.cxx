@@ -18,6 +18,7 @@
 
 #include "BackgroundTask.h"
 #include "BoundaryCurveData.h"
+#include "ElidedLabel.h"
 #include "ExportButton.h"
 #include "FaceCaption.h"
 #include "FaceModel.h"
@@ -97,11 +98,13 @@ SmoothingPanel::SmoothingPanel(FaceModel* model, QWidget* parent)
       measure_(new QComboBox(this)),
       allSchemes_(new QCheckBox(tr("All schemes"), this)),
       range_(new QLineEdit(startRange, this)),
+      spacing_(new ElidedLabel(this)),
       progress_(new QProgressBar(this)),
       cancel_(new QToolButton(this)) {
   setObjectName("smoothingPanel");
   parseNumberRange(startRange, values_);
   describeControls();
+  tellSpacing();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 4, 8, 6);
   column->setSpacing(4);
@@ -126,8 +129,12 @@ void SmoothingPanel::describeControls() {
   range_->setObjectName("smoothingRange");
   range_->setAccessibleName(tr("Values of a"));
   range_->setToolTip(
-      tr("The values of a (no unit): 0.1:100:31log is 31 values, each the same factor larger; 0.5,1,2 a list"));
-  range_->setMaximumWidth(130);
+      tr("The values of a (no unit), as from:to:number: 0.1:100:31log is 31 values from 0.1 to 100, each the same "
+         "factor larger, 0.5:2:4 four evenly spaced ones; 0.5,1,2 is a list"));
+  range_->setMaximumWidth(120);
+  range_->setPlaceholderText(startRange);
+  spacing_->setObjectName("smoothingSpacing");
+  spacing_->setProperty("faint", true);
   range_->setProperty(acceptedText, range_->text());
   progress_->setObjectName("smoothingProgress");
   progress_->setToolTip(tr("How much of the sweep is computed"));
@@ -137,12 +144,8 @@ void SmoothingPanel::describeControls() {
   cancel_->setText(tr("Cancel"));
   cancel_->setToolTip(tr("Ends the sweep; what was shown stays"));
   cancel_->setFocusPolicy(Qt::TabFocus);
-  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, cancel_}) {
-    QSizePolicy policy = widget->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    widget->setSizePolicy(policy);
-    widget->hide();
-  }
+  progress_->hide();
+  cancel_->hide();
   figure_->setToolTip(tr("Drag the line, or use the arrow keys, to set a"));
   figure_->setHint(tr("The sweep is being computed."));
 }
@@ -154,9 +157,10 @@ QWidget* SmoothingPanel::controls() {
   row->addWidget(measure_);
   row->addWidget(allSchemes_);
   row->addSpacing(10);
-  row->addWidget(new QLabel(tr("a from"), box));
+  row->addWidget(new QLabel(tr("a from : to : number"), box));
   row->addWidget(range_);
-  row->addSpacing(10);
+  row->addSpacing(4);
+  row->addWidget(spacing_);
   row->addWidget(progress_);
   row->addWidget(cancel_);
   row->addStretch();
@@ -184,6 +188,7 @@ void SmoothingPanel::connectControls() {
   connect(sweep_, &BackgroundTask::runningChanged, this, [this](bool running) {
     progress_->setVisible(running);
     cancel_->setVisible(running);
+    spacing_->setVisible(!running);  // in their place
     if (!running && records_.empty())
       figure_->setHint(tr("The sweep was cancelled; press Return in the range of a to start it again."));
   });
@@ -216,6 +221,7 @@ bool SmoothingPanel::readRange() {
     return false;
   }
   values_ = values;
+  tellSpacing();
   range_->setProperty(acceptedText, range_->text());
   if (cancelled_) subject_ = {};
   return true;
@@ -237,8 +243,20 @@ bool SmoothingPanel::takeSubject(Subject& subject) {
   return true;
 }
 
+/// In words what the field says in short.
+void SmoothingPanel::tellSpacing() {
+  const QString text = range_->text();
+  const int count = static_cast<int>(values_.size());
+  const QString values = count == 1 ? tr("1 value") : tr("%1 values").arg(count);
+  const QString spacing = text.contains(',') || !text.contains(':') ? QString()
+                          : text.endsWith("log")                    ? tr(", log spaced")
+                                                                    : tr(", evenly spaced");
+  spacing_->setText(values + spacing);
+}
+
 void SmoothingPanel::markPresent() {
   const double a = model_->state().surface.smoothing.front();
+  if (!figure_->figure().panels.empty() && a > figure_->figure().panels.front().x.end.value_or(a)) showFigure();
   figure_->setMarked(a);
   figure_->setMarkerName(tr("this face, a = %1").arg(a));
 }
@@ -271,11 +289,8 @@ void SmoothingPanel::startSweep(bool afterTheLast) {
 
 void SmoothingPanel::startThumbnails() {
   const Theme& theme = Theme::current();
-  ThumbnailStyle style{QSize(ThumbnailStrip::side * 3 / 4, ThumbnailStrip::side) * devicePixelRatioF(),
-                       {},
-                       {},
-                       theme.skin,
-                       theme.window};
+  ThumbnailStyle style{
+      QSize(ThumbnailStrip::side * 3 / 4, ThumbnailStrip::side) * devicePixelRatioF(), {}, {}, theme.skin};
   style.frame(subject_.face);
   pictures_->start(
       [this, subject = subject_, style](const BackgroundTask::Progress& goOn) -> std::function<void()> {
@@ -297,6 +312,12 @@ Figure SmoothingPanel::sweepFigureOfAll() const {
   return figure;
 }
 
+/// An axis that ends behind the breakdowns goes on to the face that is shown.
+void SmoothingPanel::reachPresent(Chart& panel) const {
+  const double a = model_->state().surface.smoothing.front();
+  if (panel.x.end) panel.x.end = std::max(*panel.x.end, std::min(a, *std::max_element(values_.begin(), values_.end())));
+}
+
 void SmoothingPanel::showFigure() {
   const Figure all = sweepFigureOfAll();
   if (all.panels.empty()) return;
@@ -309,6 +330,7 @@ void SmoothingPanel::showFigure() {
   }
   Figure shown;
   shown.panels = {all.panels[measure_->currentIndex()]};
+  reachPresent(shown.panels.front());
   figure_->setFigure(shown);
 }
 

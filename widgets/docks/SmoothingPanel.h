@@ -9,6 +9,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QToolButton;
@@ -41,12 +42,14 @@ class SmoothingPanel : public QWidget {
   void describeControls();
   void connectControls();
   void refresh();
+  void tellSpacing();
   void markPresent();
   bool readRange();
   bool takeSubject(Subject& subject);
   void startSweep(bool afterTheLast);
   void startThumbnails();
   void showFigure();
+  void reachPresent(Chart& panel) const;
   void setSmoothing(double a);
   void step(int steps);
   Figure sweepFigureOfAll() const;
@@ -59,6 +62,7 @@ class SmoothingPanel : public QWidget {
   QComboBox* measure_;
   QCheckBox* allSchemes_;
   QLineEdit* range_;
+  QLabel* spacing_;
   QProgressBar* progress_;
   QToolButton* cancel_;
   Subject subject_;

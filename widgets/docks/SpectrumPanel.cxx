@@ -37,8 +37,7 @@ namespace mien {
 namespace {
 
 constexpr const char* lengthArray = "ContributionLength";
-constexpr int figurePanels[] = {0, 1};  // of spectrumFigure(): RMS, share of the energy
-constexpr int errorPanel = 2;
+constexpr SpectrumPart measures[] = {SpectrumPart::Length, SpectrumPart::Energy};  // of the list
 
 std::vector<ModeMeasures> measuresOf(vtkTable* table) {
   std::vector<ModeMeasures> all;
@@ -137,7 +136,7 @@ QWidget* SpectrumPanel::controls() {
   row->addWidget(partial_);
   row->addStretch();
   row->addWidget(new ExportButton(
-      "spectrumExport", model_, [this](const ExportOptions& options) { return ExportDrawing(fullFigure(), options); },
+      "spectrumExport", model_, [this](const ExportOptions& options) { return ExportDrawing(shownFigure(), options); },
       [this] { return rowCount() ? tableText(modes_->GetSpectrum()) : std::string(); }, box));
   return box;
 }
@@ -205,25 +204,22 @@ void SpectrumPanel::listModes() {
   for (const ModeMeasures& mode : measuresOf(modes_->GetSpectrum())) mode_->addItem(QString::fromStdString(mode.mode));
 }
 
-Figure SpectrumPanel::fullFigure() const {
+/// There is one scheme, and the surface dock names it.
+Figure SpectrumPanel::shownFigure() const {
   if (rowCount() == 0) return {};
   const FaceSurfaceOptions& surface = model_->state().surface;
-  Figure figure = spectrumFigure({{surface.scheme, measuresOf(modes_->GetSpectrum())}}, {});
+  Figure figure = spectrumFigure({{surface.scheme, measuresOf(modes_->GetSpectrum())}}, {},
+                                 {measures[measure_->currentIndex()], SpectrumPart::Missing});
+  for (Chart& panel : figure.panels) leaveRoomBelow(panel);
   describeFace(*model_, {surface.scheme}, true, figure);
   return figure;
 }
 
 void SpectrumPanel::showFigure() {
-  const Figure all = fullFigure();
-  if (all.panels.empty()) return;
   Figure shown;
+  shown.panels = shownFigure().panels;
   shown.columns = 2;
-  shown.panels = {all.panels[figurePanels[measure_->currentIndex()]], all.panels[errorPanel]};
-  for (Chart& panel : shown.panels) {
-    panel.series.front().name.clear();  // there is one scheme, and the surface dock names it
-    leaveRoomBelow(panel);
-  }
-  figure_->setFigure(shown);
+  if (!shown.panels.empty()) figure_->setFigure(shown);
 }
 
 void SpectrumPanel::showNumbers() {

@@ -38,7 +38,7 @@ class SpectrumPanel : public QWidget {
   void showNumbers();
   void paintFace();
   double colorRange(double largest);
-  Figure fullFigure() const;
+  Figure shownFigure() const;
   int rowCount() const;
 
   FaceModel* model_;

@@ -10,16 +10,19 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include "BundledFile.h"
+#include "EmptyState.h"
 #include "FaceModel.h"
 #include "FacePhotograph.h"
 #include "FaceView.h"
 #include "FlipBox.h"
 #include "FramedButton.h"
+#include "OverflowRow.h"
 #include "PictureLabel.h"
 #include "WarpMeshView.h"
 
@@ -42,6 +45,7 @@ TexturePanel::TexturePanel(FaceModel* model, FaceView* view, QWidget* parent)
       photograph_(new FacePhotograph(model, view, this)),
       mesh_(new WarpMeshView(this)),
       warped_(new PictureLabel(this)),
+      pages_(new QStackedWidget(this)),
       status_(new QLabel(this)),
       open_(new QToolButton(this)),
       painted_(new QToolButton(this)),
@@ -63,7 +67,9 @@ TexturePanel::TexturePanel(FaceModel* model, FaceView* view, QWidget* parent)
   column->setContentsMargins(8, 4, 8, 6);
   column->setSpacing(4);
   column->addWidget(controls());
-  column->addWidget(new FlipBox(mesh_, warped_, 3, 2, this), 1);
+  pages_->addWidget(emptyState());
+  pages_->addWidget(new FlipBox(mesh_, warped_, 3, 2, pages_));
+  column->addWidget(pages_, 1);
   column->addWidget(statusRow());
   connectControls();
   showPhotograph();
@@ -104,7 +110,6 @@ void TexturePanel::describeViews() {
   mesh_->setToolTip(
       tr("Drag points to where the features lie. Tab: next point, arrow keys: one pixel (Shift: ten); "
          "wheel: zoom, double click: all"));
-  mesh_->setHint(tr("No photograph: open one, drop one here, or take the painted face."));
   warped_->setObjectName("textureWarped");
   warped_->setToolTip(
       tr("The photograph warped onto (v, u) of the face: once around from left to right, C1 to C28 from "
@@ -125,15 +130,28 @@ void TexturePanel::describeViews() {
 }
 
 QWidget* TexturePanel::controls() {
-  auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = new OverflowRow("textureControls", this);
   for (QWidget* widget : std::initializer_list<QWidget*>{open_, painted_, on_}) row->addWidget(widget);
   row->addSpacing(10);
   for (QWidget* widget : std::initializer_list<QWidget*>{openMesh_, fine_, mirror_, undo_, reset_, save_})
-    row->addWidget(widget);
+    row->addWidget(widget, 1);
   row->addStretch();
-  return box;
+  return row;
+}
+
+QWidget* TexturePanel::emptyState() {
+  auto* empty = new EmptyState("textureEmpty", tr("No photograph dresses the face yet"),
+                               tr("Open a photograph of a face from the front (.png, .jpg, .tif), or drop one here. A "
+                                  "mesh of the same name beside "
+                                  "it, or a list of landmarks, says where its features lie; without one you get a mesh "
+                                  "to move. The painted face "
+                                  "shows how it looks."),
+                               pages_);
+  connect(empty->addButton("textureEmptyOpen", tr("Open a photograph..."), open_->toolTip()), &QToolButton::clicked,
+          this, &TexturePanel::chooseImage);
+  connect(empty->addButton("textureEmptyPainted", tr("Take the painted face"), painted_->toolTip()),
+          &QToolButton::clicked, this, &TexturePanel::openPainted);
+  return empty;
 }
 
 QWidget* TexturePanel::statusRow() {
@@ -148,8 +166,7 @@ QWidget* TexturePanel::statusRow() {
 
 void TexturePanel::connectControls() {
   connect(open_, &QToolButton::clicked, this, &TexturePanel::chooseImage);
-  connect(painted_, &QToolButton::clicked, this,
-          [this] { photograph_->open(bundledFile("textures/painted.png"), bundledFile("textures/painted_7x7.csv")); });
+  connect(painted_, &QToolButton::clicked, this, &TexturePanel::openPainted);
   connect(openMesh_, &QToolButton::clicked, this, &TexturePanel::chooseMesh);
   connect(save_, &QToolButton::clicked, this, &TexturePanel::chooseSaved);
   connect(undo_, &QToolButton::clicked, photograph_, &FacePhotograph::undo);
@@ -192,6 +209,10 @@ QString TexturePanel::fileName() const {
   return photograph_->isOpen() ? photograph_->fileName() : QString();
 }
 
+void TexturePanel::openPainted() {
+  photograph_->open(bundledFile("textures/painted.png"), bundledFile("textures/painted_7x7.csv"));
+}
+
 void TexturePanel::chooseImage() {
   open(QFileDialog::getOpenFileName(window(), tr("Open a photograph"), QString(),
                                     tr("Photographs (*.png *.jpg *.jpeg *.tif *.tiff)")));
@@ -218,6 +239,7 @@ bool TexturePanel::save(const QString& fileName) {
 
 void TexturePanel::showPhotograph() {
   const bool shown = photograph_->isOpen() && photograph_->isOn();
+  pages_->setCurrentIndex(photograph_->isOpen() ? 1 : 0);
   const QSignalBlocker quiet(on_);
   on_->setChecked(photograph_->isOn());
   on_->setEnabled(photograph_->isOpen());

@@ -5,6 +5,7 @@
 class QCheckBox;
 class QLabel;
 class QProgressBar;
+class QStackedWidget;
 class QToolButton;
 
 namespace mien {
@@ -40,10 +41,12 @@ class TexturePanel : public QWidget {
  private:
   QWidget* controls();
   QWidget* statusRow();
+  QWidget* emptyState();
   void describeButtons();
   void describeChoices();
   void describeViews();
   void connectControls();
+  void openPainted();
   void chooseImage();
   void chooseMesh();
   void chooseSaved();
@@ -56,6 +59,7 @@ class TexturePanel : public QWidget {
   FacePhotograph* photograph_;
   WarpMeshView* mesh_;
   PictureLabel* warped_;
+  QStackedWidget* pages_;
   QLabel* status_;
   QToolButton *open_, *painted_, *openMesh_, *undo_, *reset_, *save_, *cancel_;
   QCheckBox *on_, *fine_, *mirror_;

@@ -11,7 +11,9 @@
 #include <QVariant>
 
 #include "AnimationPlayer.h"
+#include "ElidedLabel.h"
 #include "FaceModel.h"
+#include "FramedButton.h"
 #include "Icons.h"
 #include "SessionPart.h"
 #include "ValueSlider.h"
@@ -30,8 +32,9 @@ QToolButton* toolButton(QWidget* parent, const char* name, Symbol symbol, const 
   return button;
 }
 
+template <class Label>
 QLabel* faintLabel(QWidget* parent, const char* name) {
-  auto* label = new QLabel(parent);
+  auto* label = new Label(parent);
   label->setObjectName(name);
   label->setProperty("faint", true);
   return label;
@@ -45,10 +48,11 @@ TimelinePanel::TimelinePanel(FaceModel* model, AnimationPlayer* player, QWidget*
       player_(player),
       position_(new ValueSlider(this)),
       frame_(new QSpinBox(this)),
-      title_(faintLabel(this, "timelineTitle")),
-      time_(faintLabel(this, "timelineTime")),
-      rate_(faintLabel(this, "timelineRate")),
-      lower_(new QHBoxLayout) {
+      title_(faintLabel<ElidedLabel>(this, "timelineTitle")),
+      time_(faintLabel<QLabel>(this, "timelineTime")),
+      rate_(faintLabel<QLabel>(this, "timelineRate")),
+      deck_(new QWidget(this)),
+      lower_(new QHBoxLayout(deck_)) {
   setObjectName("timelinePanel");
   setProperty("card", true);
   buildButtons();
@@ -56,22 +60,25 @@ TimelinePanel::TimelinePanel(FaceModel* model, AnimationPlayer* player, QWidget*
   buildRange();
   buildSpeed();
   auto* upper = new QHBoxLayout;
+  upper->addWidget(open_);
   upper->addWidget(title_, 1);
   upper->addWidget(time_);
   upper->addWidget(rate_);
+  upper->addWidget(demonstration_);
   upper->addWidget(close_);
+  lower_->setContentsMargins(0, 0, 0, 0);
   lower_->setSpacing(2);
-  for (QWidget* widget : {open_, first_, play_, loop_, in_, out_}) lower_->addWidget(widget);
+  for (QWidget* widget : {first_, play_, loop_, in_, out_}) lower_->addWidget(widget);
   lower_->addSpacing(4);
   lower_->addWidget(position_, 1);
   lower_->addSpacing(4);
   for (QWidget* widget : {static_cast<QWidget*>(frame_), static_cast<QWidget*>(speed_), static_cast<QWidget*>(smooth_)})
     lower_->addWidget(widget);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(10, 5, 10, 6);
+  column->setContentsMargins(10, 3, 10, 3);
   column->setSpacing(2);
   column->addLayout(upper);
-  column->addLayout(lower_);
+  column->addWidget(deck_);
   connectAll();
   connectRange();
   showAnimation();
@@ -88,6 +95,9 @@ void TimelinePanel::buildButtons() {
   loop_ = toolButton(this, "timelineLoop", Symbol::Loop, tr("Begin again at the end"));
   close_ = toolButton(this, "timelineClose", Symbol::Close, tr("Close the animation"));
   close_->setIconSize({11, 11});
+  demonstration_ = new QToolButton(this);
+  makeFramed(demonstration_, "timelineDemonstration", tr("Play the demonstration"),
+             tr("Opens and plays the animation that comes with Mien"));
   loop_->setCheckable(true);
   loop_->setChecked(player_->loops());
 }
@@ -163,6 +173,7 @@ void TimelinePanel::showRange() {
 
 void TimelinePanel::connectAll() {
   connect(open_, &QToolButton::clicked, this, &TimelinePanel::openRequested);
+  connect(demonstration_, &QToolButton::clicked, this, &TimelinePanel::demonstrationRequested);
   connect(close_, &QToolButton::clicked, model_, &FaceModel::closeAnimation);
   connect(first_, &QToolButton::clicked, this, [this] { player_->seek(0); });
   connect(play_, &QToolButton::clicked, this, [this] { player_->setPlaying(!player_->isPlaying()); });
@@ -185,7 +196,11 @@ void TimelinePanel::showAnimation() {
                           static_cast<QWidget*>(position_), static_cast<QWidget*>(frame_), static_cast<QWidget*>(in_),
                           static_cast<QWidget*>(out_)})
     widget->setEnabled(count > 0);
+  const bool isOpen = count > 0 || model_->isLive();
   close_->setVisible(count > 0);
+  for (QWidget* widget : {static_cast<QWidget*>(deck_), static_cast<QWidget*>(time_), static_cast<QWidget*>(rate_)})
+    widget->setVisible(isOpen);
+  demonstration_->setVisible(!isOpen);
   const QFileInfo file(QString::fromStdString(model_->state().fapFile));
   title_->setText(model_->isLive() ? tr("Live stream")
                   : count > 0      ? file.fileName()

@@ -15,7 +15,7 @@ class ValueSlider;
 class FaceModel;
 
 /// Where in the animation are we? Play, pause, scrub and loop a .fap file or a range of it, at any speed, with or
-/// without pictures between its frames.
+/// without pictures between its frames. Without an animation it is one slim line that says how to get one.
 class TimelinePanel : public QFrame {
   Q_OBJECT
  public:
@@ -26,6 +26,7 @@ class TimelinePanel : public QFrame {
 
  signals:
   void openRequested();
+  void demonstrationRequested();
 
  private:
   void buildButtons();
@@ -41,11 +42,12 @@ class TimelinePanel : public QFrame {
 
   FaceModel* model_;
   AnimationPlayer* player_;
-  QToolButton *open_, *first_, *play_, *loop_, *close_, *in_, *out_, *smooth_;
+  QToolButton *open_, *first_, *play_, *loop_, *close_, *in_, *out_, *smooth_, *demonstration_;
   QComboBox* speed_;
   ValueSlider* position_;
   QSpinBox* frame_;
   QLabel *title_, *time_, *rate_;
+  QWidget* deck_;
   QHBoxLayout* lower_;
 };
 

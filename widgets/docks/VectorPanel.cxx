@@ -37,13 +37,13 @@ namespace mien {
 
 namespace {
 
-constexpr int sideWidth = 330;      // pixels
-constexpr double shape = 0.9;       // widest figure over its height: a face is upright
-constexpr double wideShape = 1.7;   // with the key beside it
-constexpr double wideFrom = 1.3;    // room over height from which the key has its place beside the face
-constexpr double leastWidth = 55;   // mm, of a figure with a legible key
-constexpr double paperWidth = 85;   // mm, one column of a page
-constexpr size_t mostSamples = 48;  // of an animation, evenly
+constexpr int sideWidth = 330;       // pixels
+constexpr double shape = 0.9;        // widest figure over its height with the key below: a face is upright
+constexpr double faceShape = 0.82;   // width over height of a face
+constexpr double keyBelowRoom = 17;  // mm, of the height
+constexpr double leastWidth = 55;    // mm, of a figure with a legible key
+constexpr double paperWidth = 85;    // mm, one column of a page
+constexpr size_t mostSamples = 48;   // of an animation, evenly
 constexpr int firstHead = 48, lastHead = 50;
 
 /// Frames that tell how far all of an animation moves: evenly chosen ones, and the ends of the head's turns, which move
@@ -180,9 +180,10 @@ void VectorPanel::refresh() {
 void VectorPanel::fitToScreen(MotionRequest& request) const {
   const double height = figure_->height() * millimetresPerPixel, room = figure_->width() * millimetresPerPixel;
   request.options.height = height;
-  request.options.keyBeside = room > wideFrom * height;
-  request.options.width =
-      std::min(room, std::max(leastWidth, (request.options.keyBeside ? wideShape : shape) * height));
+  const double heightBeside = std::min(height, (room - MotionVectorFigure::keyBesideRoom) / faceShape);
+  const double heightAbove = std::min(height - keyBelowRoom, room / faceShape);
+  request.options.keyBeside = heightBeside > heightAbove;  // where the face gets larger
+  request.options.width = request.options.keyBeside ? room : std::min(room, std::max(leastWidth, shape * height));
   request.options.theme = screenTheme().name;
   request.options.background = Theme::current().panel;
 }

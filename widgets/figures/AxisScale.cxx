@@ -13,6 +13,7 @@ constexpr double automaticSpan = 50.0;                     // from here on small
 constexpr double mostPlainNumber = 1e6;                    // from here on numbers are written as powers of ten ...
 constexpr int leastPlainDecade = -3, mostPlainDecade = 3;  // ... and an axis of decades that leaves these
 constexpr double leastPlainNumber = 1e-4;
+constexpr int leastTicks = 2;      // with a text: fewer do not tell a scale
 constexpr double rounding = 1e-9;  // of a step: ticks that miss the end by rounding still belong to the axis
 
 std::string superscript(int number) {
@@ -30,8 +31,18 @@ double niceStep(double step) {
   return 10.0 * power;
 }
 
-std::string powerText(double value) {
-  return "10" + superscript(static_cast<int>(std::lround(std::log10(value))));
+/// The next smaller one.
+double finerStep(double step) {
+  return niceStep(step / 2.6);
+}
+
+int decadeOf(double value) {
+  return static_cast<int>(std::floor(std::log10(value) + rounding));
+}
+
+/// 1, 2 or 5 times a power of ten: "10⁻⁶", "2·10⁻⁶".
+std::string powerText(int digit, int decade) {
+  return (digit == 1 ? "" : std::to_string(digit) + "·") + "10" + superscript(decade);
 }
 
 std::string plainText(double value, int decimals) {
@@ -82,15 +93,57 @@ void widenToDecades(Range& range) {
   if (range.least == range.most) range.most *= 10.0;
 }
 
+/// What stands on a logarithmic axis: 1 to 9 times a power of ten.
+struct DecadePlace {
+  int digit, decade;
+  double value() const { return digit * std::pow(10.0, decade); }
+};
+
+bool isPower(const DecadePlace& place) {
+  return place.digit == 1;
+}
+
+bool isRound(const DecadePlace& place) {
+  return place.digit == 1 || place.digit == 2 || place.digit == 5;
+}
+
+std::vector<DecadePlace> placesBetween(double begin, double end) {
+  std::vector<DecadePlace> places;
+  for (int decade = decadeOf(begin); decade <= decadeOf(end); ++decade)
+    for (int digit = 1; digit < 10; ++digit) {
+      const DecadePlace place = {digit, decade};
+      if (place.value() >= begin * (1.0 - rounding) && place.value() <= end * (1.0 + rounding)) places.push_back(place);
+    }
+  return places;
+}
+
+/// Ticks of all places, or without `minor` of the powers of ten alone; all texts of an axis are written alike.
+template <class Named>
+std::vector<AxisTick> namedTicks(const std::vector<DecadePlace>& places, const Named& isNamed, bool minor) {
+  const auto needsPower = [&](const DecadePlace& place) {
+    return isNamed(place) && (place.decade < leastPlainDecade || place.decade > mostPlainDecade);
+  };
+  const bool powers = std::any_of(places.begin(), places.end(), needsPower);
+  std::vector<AxisTick> ticks;
+  for (const DecadePlace& place : places) {
+    if (!minor && !isPower(place)) continue;
+    const std::string text =
+        powers ? powerText(place.digit, place.decade) : tickText(place.value(), std::pow(10.0, place.decade));
+    ticks.push_back({place.value(), isNamed(place) ? text : ""});
+  }
+  return ticks;
+}
+
 }  // namespace
 
 std::string tickText(double value, double step) {
   const double size = std::abs(value);
+  if (size < rounding * std::abs(step) && std::abs(step) < leastPlainNumber) return "0";
   if (size >= mostPlainNumber || (size > 0.0 && std::abs(step) < leastPlainNumber)) {
     const int power = static_cast<int>(std::floor(std::log10(size) + rounding));
     const double factor = value / std::pow(10.0, power);
     if (std::abs(factor - 1.0) < rounding) return "10" + superscript(power);
-    return tickText(factor, std::max(step / std::pow(10.0, power), 0.001)) + "·10" + superscript(power);
+    return tickText(factor, std::max(step / std::pow(10.0, power), 1e-6)) + "·10" + superscript(power);
   }
   int decimals = 0;
   for (double unit = step; decimals < 6 && std::abs(unit - std::round(unit)) > 1e-6 * unit; unit *= 10.0) ++decimals;
@@ -120,9 +173,9 @@ std::vector<AxisTick> AxisScale::ticks(const ChartAxis& axis, int most) const {
   std::vector<AxisTick> ticks;
   for (size_t i = 0; i < axis.categories.size(); ++i) ticks.push_back({static_cast<double>(i), axis.categories[i]});
   if (!ticks.empty()) return ticks;
-  if (logarithmic_) return decadeTicks(most);
-  if (axis.step <= 0.0) return linearTicks(niceStep((end_ - begin_) / std::max(1, most)), 0.0);
-  return linearTicks(axis.step, axis.begin.value_or(0.0));
+  if (logarithmic_) return decadeTicks(std::max(1, most));
+  if (axis.step > 0.0) ticks = linearTicks(axis.step, axis.begin.value_or(0.0));
+  return static_cast<int>(ticks.size()) < leastTicks ? evenTicks(std::max(1, most)) : ticks;
 }
 
 std::vector<AxisTick> AxisScale::linearTicks(double step, double origin) const {
@@ -133,31 +186,28 @@ std::vector<AxisTick> AxisScale::linearTicks(double step, double origin) const {
   return ticks;
 }
 
-std::vector<AxisTick> AxisScale::decadeTicks(int most) const {
-  const double span = std::log10(end_ / begin_);
-  if (span < 1.0) return linearTicks(niceStep((end_ - begin_) / std::max(1, most)), 0.0);
-  const int first = static_cast<int>(std::floor(std::log10(begin_) + rounding));
-  const int last = static_cast<int>(std::floor(std::log10(end_) + rounding));
-  const int every =
-      std::max(1, static_cast<int>(std::ceil((last - first + 1) / static_cast<double>(std::max(1, most)))));
-  const bool powers = first < leastPlainDecade || last > mostPlainDecade;  // all of an axis alike
-  std::vector<AxisTick> ticks;
-  for (int decade = first; decade <= last; ++decade) {
-    const double value = std::pow(10.0, decade);
-    const bool named = (decade - first) % every == 0;
-    if (value >= begin_ * (1.0 - rounding))
-      ticks.push_back({value, !named ? "" : powers ? powerText(value) : tickText(value, value)});
-    if (every == 1) appendMinorTicks(decade, 3 * (last - first + 1) <= most, ticks);
-  }
+/// One number does not tell a scale: steps get finer until there are two.
+std::vector<AxisTick> AxisScale::evenTicks(int most) const {
+  const double span = end_ - begin_;
+  if (!(span > 0.0) || !std::isfinite(span)) return {{begin_, tickText(begin_, begin_)}};
+  double step = niceStep(span / most);
+  std::vector<AxisTick> ticks = linearTicks(step, 0.0);
+  while (static_cast<int>(ticks.size()) < leastTicks && step > rounding * span)
+    ticks = linearTicks(step = finerStep(step), 0.0);
   return ticks;
 }
 
-void AxisScale::appendMinorTicks(int decade, bool labelled, std::vector<AxisTick>& ticks) const {
-  for (int digit = 2; digit < 10; ++digit) {
-    const double unit = std::pow(10.0, decade), value = digit * unit;
-    if (value < begin_ * (1.0 - rounding) || value > end_ * (1.0 + rounding)) continue;
-    ticks.push_back({value, labelled && (digit == 2 || digit == 5) ? tickText(value, unit) : ""});
-  }
+/// Powers of ten, all or every few; 1, 2 and 5 times these where there is room for them, or one power alone.
+std::vector<AxisTick> AxisScale::decadeTicks(int most) const {
+  const std::vector<DecadePlace> places = placesBetween(begin_, end_);
+  const int powers = static_cast<int>(std::count_if(places.begin(), places.end(), isPower));
+  const int rounds = static_cast<int>(std::count_if(places.begin(), places.end(), isRound));
+  if (powers < leastTicks || rounds <= most)
+    return rounds > leastTicks ? namedTicks(places, isRound, true) : evenTicks(most);
+  const int every = std::min(powers - 1, (powers + most - 1) / most);
+  const int first = std::find_if(places.begin(), places.end(), isPower)->decade;
+  const auto isNamed = [&](const DecadePlace& place) { return isPower(place) && (place.decade - first) % every == 0; };
+  return namedTicks(places, isNamed, every == 1);
 }
 
 }  // namespace mien

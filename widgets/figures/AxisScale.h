@@ -29,13 +29,13 @@ class AxisScale {
   /// Where bars stand on.
   double base() const { return logarithmic_ ? begin_ : 0.0; }
 
-  /// At most about `most` labelled ticks, and the minor ones of a logarithmic axis.
+  /// About `most` labelled ticks but at least two, and the minor ones of a logarithmic axis.
   std::vector<AxisTick> ticks(const ChartAxis& axis, int most) const;
 
  private:
   std::vector<AxisTick> linearTicks(double step, double origin) const;
   std::vector<AxisTick> decadeTicks(int most) const;
-  void appendMinorTicks(int decade, bool labelled, std::vector<AxisTick>& ticks) const;
+  std::vector<AxisTick> evenTicks(int most) const;
 
   double begin_ = 0.0, end_ = 1.0;
   bool logarithmic_ = false;

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "BreakdownFlags.h"
 #include "LineClip.h"
@@ -21,6 +22,7 @@ constexpr double spread = 26.0;      // pt, at least, between the few markers th
 constexpr double spreadShare = 9.0;  // pt, for each series: where lines coincide their markers stand apart
 constexpr double brokenWidth = 0.5;  // of a line, from where its values mean nothing
 constexpr double barShare = 0.8;     // of the room between two categories
+constexpr int mostNumbers = 8;       // below a plot, however wide it is
 
 std::vector<double> finiteValues(const Chart& chart, bool ofX) {
   std::vector<double> values;
@@ -50,6 +52,36 @@ std::pair<double, double> barPlace(const Chart& chart, size_t series) {
   const double width = barShare / barCount(chart);
   const size_t before = std::count_if(chart.series.begin(), chart.series.begin() + series, isBars);
   return {-0.5 * barShare + before * width, width};
+}
+
+using TickSize = std::function<double(const AxisTick&)>;
+
+/// Whether no text of an axis touches the one before it.
+bool keepApart(const AxisScale& scale, const std::vector<AxisTick>& ticks, double length, const TickSize& sizeOf) {
+  double end = -1e9;
+  for (const AxisTick& tick : ticks) {
+    if (tick.text.empty()) continue;
+    const double half = 0.5 * sizeOf(tick), middle = scale.fraction(tick.value) * length;
+    if (middle - half < end) return false;
+    end = middle + half;
+  }
+  return true;
+}
+
+/// The most ticks whose texts keep apart; where not even two numbers do, the first and the last text.
+std::vector<AxisTick> fittingTicks(const AxisScale& scale, const ChartAxis& axis, int most, double length,
+                                   const TickSize& sizeOf) {
+  std::vector<AxisTick> ticks;
+  for (; most > 0; --most) {
+    ticks = scale.ticks(axis, most);
+    if (keepApart(scale, ticks, length, sizeOf)) return ticks;
+  }
+  const auto hasText = [](const AxisTick& tick) { return !tick.text.empty(); };
+  const auto first = std::find_if(ticks.begin(), ticks.end(), hasText);
+  const auto last = std::find_if(ticks.rbegin(), ticks.rend(), hasText).base();
+  for (auto tick = first; tick != ticks.end() && tick + 1 < last; ++tick)
+    if (tick != first) tick->text.clear();
+  return ticks;
 }
 
 }  // namespace
@@ -126,27 +158,19 @@ double ChartPainter::numberDepth(double plotWidth) const {
          (namesStandUpright(plotWidth) ? categoryWidth() : lineHeight(figureFont(numberSize)));
 }
 
+/// As many numbers as stand above each other with room between them.
 std::vector<AxisTick> ChartPainter::yTicks(double plotHeight) const {
-  return y_.ticks(chart_.y, std::max(2, static_cast<int>(plotHeight / (1.9 * lineHeight(figureFont(numberSize))))));
+  const double line = lineHeight(figureFont(numberSize));
+  const int most = std::max(2, static_cast<int>(plotHeight / (1.9 * line)));
+  return fittingTicks(y_, chart_.y, most, plotHeight, [line](const AxisTick&) { return line; });
 }
 
 /// As many numbers as stand beside each other with room between them.
 std::vector<AxisTick> ChartPainter::xTicks(double plotWidth) const {
   if (!chart_.x.categories.empty()) return nameTicks(plotWidth);
-  for (int most = 8; most > 1; --most) {
-    const std::vector<AxisTick> ticks = x_.ticks(chart_.x, most);
-    double end = -1e9;
-    bool fits = true;
-    for (const AxisTick& tick : ticks) {
-      const double width = textWidth(figureFont(numberSize), QString::fromStdString(tick.text));
-      const double middle = x_.fraction(tick.value) * plotWidth;
-      if (tick.text.empty()) continue;
-      fits = fits && middle - 0.5 * width > end;
-      end = middle + 0.5 * width + figureUnitsFromPoints(2.0 * tickGap);
-    }
-    if (fits) return ticks;
-  }
-  return x_.ticks(chart_.x, 1);
+  return fittingTicks(x_, chart_.x, mostNumbers, plotWidth, [](const AxisTick& tick) {
+    return textWidth(figureFont(numberSize), QString::fromStdString(tick.text)) + figureUnitsFromPoints(2.0 * tickGap);
+  });
 }
 
 ChartPainter::Margins ChartPainter::margins(double cellWidth, double plotHeight) const {

@@ -1,6 +1,7 @@
 #include "ContinuityFigure.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "AxisScale.h"
 #include "SchemeStyle.h"
@@ -10,7 +11,7 @@ namespace mien {
 namespace {
 
 constexpr double quarterTurn = 90.0;
-constexpr double leastShown = 1e-9;  // an axis that ended below would show rounding as if it were a property
+constexpr double mostRounding = 1e-9;  // in any unit: what is smaller is not a property of the surface
 
 std::vector<std::string> seamsOf(const std::vector<SeamProfile>& profiles) {
   std::vector<std::string> seams;
@@ -19,14 +20,21 @@ std::vector<std::string> seamsOf(const std::vector<SeamProfile>& profiles) {
   return seams;
 }
 
+double largestOf(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  return largest;
+}
+
 /// One scale for all panels, or they could not be compared.
 ChartAxis commonAxis(const std::vector<SeamProfile>& profiles, const ChartAxis& measure) {
   std::vector<double> values;
   for (const SeamProfile& profile : profiles) values.insert(values.end(), profile.value.begin(), profile.value.end());
   ChartAxis axis = measure;
-  const bool isRounding = std::all_of(values.begin(), values.end(), [](double value) { return !(value > leastShown); });
-  if (isRounding) axis.end = 1.0;
-  if (measure.unit == "degrees") {
+  const double largest = largestOf(values);
+  if (largest == 0.0) axis.end = 1.0;
+  if (measure.unit == "degrees" && largest > quarterTurn) {
     axis.end = 2.0 * quarterTurn;  // all that an angle between normals can be
     axis.step = 0.5 * quarterTurn;
   }
@@ -45,10 +53,14 @@ Chart seamChart(const std::string& seam, const std::vector<SeamProfile>& profile
   chart.x.step = quarterTurn;
   chart.y = y;
   chart.y.title = seam + ", " + y.title;
-  for (const SeamProfile& profile : profiles)
-    if (profile.seam == seam)
-      chart.series.push_back(
-          {profile.scheme, profile.v, profile.value, ChartSeries::Kind::Line, schemeStyle(profile.scheme)});
+  double largest = 0.0;
+  for (const SeamProfile& profile : profiles) {
+    if (profile.seam != seam) continue;
+    chart.series.push_back(
+        {profile.scheme, profile.v, profile.value, ChartSeries::Kind::Line, schemeStyle(profile.scheme)});
+    largest = std::max(largest, largestOf(profile.value));
+  }
+  if (largest < mostRounding) chart.y.title += largest > 0.0 ? ": rounding only" : ": zero";
   return chart;
 }
 

@@ -18,8 +18,7 @@ constexpr double pictureRowGap = 3.0;   // mm
 constexpr double wordsGap = 2.0;        // mm, above caption and note
 constexpr double referenceRoom = 0.25;  // longest reference arrow over width of the figure
 constexpr double keyGap = 2.5;          // mm, above the key
-constexpr double keyWidth = 62.0;       // mm, of a key beside the panels
-constexpr double besideGap = 4.0;       // mm, before it
+constexpr double besideGap = 4.0;       // mm, before a key beside the panels
 constexpr double arrowRoom = 0.085;     // longest arrow over width of a panel: neighbours still can be told apart
 constexpr double seriesRoom = 0.13;     // the same in a row of frames, where most of them move less than the longest
 constexpr double mostShape = 1.5;       // height over width of a panel
@@ -63,7 +62,8 @@ MotionVectorFigure::MotionVectorFigure(const std::vector<MotionVectorPanel>& pan
 void MotionVectorFigure::prepare(const std::vector<MotionVectorPanel>& panels, int shown) {
   size_.setWidth(figureUnits(options_.width));
   const double cell = cellWidth(columnCount(shown)) / figureUnitsPerMillimetre;
-  options_.picture.paper = {cell, mostShape * cell};
+  const double highest = mostShape * cell;
+  options_.picture.paper = {cell, options_.height > 0.0 ? std::min(options_.height, highest) : highest};
   for (const MotionVectorPanel& panel : panels) addPicture(panel.field);
   if (style_.length == MotionVectorOptions::Length::Equal) leaveOutRipple();
   frame_ = usable(frame_);
@@ -128,7 +128,7 @@ double MotionVectorFigure::scaleFor(double longest) const {
 }
 
 double MotionVectorFigure::panelsWidth() const {
-  return options_.keyBeside ? std::max(figureUnits(leastPicture), inner_ - figureUnits(keyWidth + besideGap)) : inner_;
+  return options_.keyBeside ? std::max(figureUnits(leastPicture), inner_ - figureUnits(keyBesideRoom)) : inner_;
 }
 
 int MotionVectorFigure::columnCount(int panels) const {
@@ -181,28 +181,33 @@ void MotionVectorFigure::chooseReference() {
   reference_ = roundBelow(std::min(longest_, style_.scale * referenceRoom * inner_ / figureUnitsPerMillimetre));
 }
 
+/// The width that the face takes of a cell whose height is given, without the key.
+double MotionVectorFigure::drawnWidth(double cellWidth, double height) const {
+  return options_.height > 0.0 ? std::min(cellWidth, height * frame_.sizes().x() / frame_.sizes().y()) : cellWidth;
+}
+
 void MotionVectorFigure::layOut() {
   const int columns = columnCount(static_cast<int>(panels_.size())),
             rows = (static_cast<int>(panels_.size()) + columns - 1) / columns;
   const double cellWidth = this->cellWidth(columns);
-  chooseScale((options_.asRow ? seriesRoom : arrowRoom) * cellWidth);
-  chooseReference();
-  const bool moves = std::any_of(all_.begin(), all_.end(), [](const VectorPicture& p) { return !p.arrows.empty(); });
-  if (moves) addKey();
-  const double keyHeight = key_ && !options_.keyBeside ? key_->height() : 0.0;
   const double words = words_->belowHeight() + (words_->belowHeight() > 0.0 ? figureUnits(wordsGap) : 0.0);
-  const double below = figureUnits(keyGap) + keyHeight + words + figureUnits(FigureWords::border);
   const double top = figureUnits(FigureWords::border) + words_->titleHeight();
   const double between = std::max(0, rows - 1) * figureUnits(pictureRowGap) + rows * headingHeight();
-  const double given = (figureUnits(options_.height) - top - below - between) / std::max(1, rows);
-  const double free = options_.height > 0.0 ? std::max(given, figureUnits(leastFace)) : mostShape * cellWidth;
-  const double panelHeight = placePanels(top, {cellWidth, free}, columns);
-  keyTop_ = top + rows * panelHeight + between + figureUnits(keyGap);
-  size_.setHeight(std::ceil(std::max(keyTop_ - figureUnits(keyGap) + below, figureUnits(options_.height))));
+  const auto freeAbove = [&](double below) {
+    const double given = (figureUnits(options_.height) - top - below - between) / std::max(1, rows);
+    return options_.height > 0.0 ? std::max(given, figureUnits(leastFace)) : mostShape * cellWidth;
+  };
+  double below = words + figureUnits(FigureWords::border);
+  chooseScale((options_.asRow ? seriesRoom : arrowRoom) * drawnWidth(cellWidth, freeAbove(below)));
+  chooseReference();
+  if (std::any_of(all_.begin(), all_.end(), [](const VectorPicture& p) { return !p.arrows.empty(); })) addKey();
+  const double gap = options_.keyBeside ? 0.0 : figureUnits(keyGap);
+  below += gap + (key_ && !options_.keyBeside ? key_->height() : 0.0);
+  const double panelHeight = placePanels(top, {cellWidth, freeAbove(below)}, columns);
+  keyTop_ = top + rows * panelHeight + between + gap;
+  size_.setHeight(std::ceil(std::max(keyTop_ - gap + below, figureUnits(options_.height))));
   wordsTop_ = size_.height() - figureUnits(FigureWords::border) - words_->belowHeight();
   if (key_) addKey();  // the scale may follow the size of the face
-  keyLeft_ = options_.keyBeside ? figureUnits(FigureWords::border + besideGap) + panelsWidth()
-                                : figureUnits(FigureWords::border);
   if (key_ && options_.keyBeside) keyTop_ = top + std::max(0.0, 0.5 * (wordsTop_ - top - key_->height()));
 }
 
@@ -218,7 +223,10 @@ double MotionVectorFigure::placePanels(double top, const QSizeF& free, int colum
   const VectorPanelPainter::Margins margins = overhang(scale);
   const QSizeF plot = scale * QSizeF(frame_.sizes().x(), frame_.sizes().y());
   const double height = plot.height() + margins.top + margins.bottom;
-  const double aside = 0.5 * (free.width() - plot.width() - margins.left - margins.right);
+  const double drawn = plot.width() + margins.left + margins.right;
+  const double aside = 0.5 * (free.width() - drawn);
+  keyLeft_ = figureUnits(FigureWords::border);
+  if (options_.keyBeside) keyLeft_ += panelsWidth() - aside + figureUnits(besideGap);  // right behind the last face
   for (size_t i = 0; i < panels_.size(); ++i) {
     const double x = figureUnits(FigureWords::border) + (i % columns) * (free.width() + figureUnits(pictureGap));
     const double y = top + (i / columns) * (headingHeight() + height + figureUnits(pictureRowGap));

@@ -55,6 +55,11 @@ class MotionVectorFigure {
   /// Which vectors have arrows; never automatic.
   const VectorSampling& sampling() const { return options_.picture.sampling; }
 
+  /// Where the key stands, figure units; empty: there is none.
+  QRectF keyPlace() const { return key_ ? QRectF(QPointF(keyLeft_, keyTop_), key_->size()) : QRectF(); }
+
+  static constexpr double keyBesideRoom = 38.0;  ///< mm, that a key beside the panels takes of their width
+
   /// The panels in their places: what each shows, and the face under a pointer.
   const std::vector<VectorPanelPainter>& panels() const { return panels_; }
 
@@ -66,6 +71,7 @@ class MotionVectorFigure {
   void chooseScale(double room);
   void chooseReference();
   void layOut();
+  double drawnWidth(double cellWidth, double height) const;
   double placePanels(double top, const QSizeF& free, int columns);
   double faceScaleWithin(const QSizeF& cell);
   VectorPanelPainter::Margins overhang(double faceScale) const;
@@ -89,8 +95,7 @@ class MotionVectorFigure {
   double reference_ = 0.0;
   std::pair<bool, bool> beyond_ = {false, false};
   double arrowRoom_ = 0.0;  ///< figure units
-  double keyLeft_ = 0.0;
-  double keyTop_ = 0.0, wordsTop_ = 0.0;
+  double keyLeft_ = 0.0, keyTop_ = 0.0, wordsTop_ = 0.0;
 };
 
 }  // namespace mien

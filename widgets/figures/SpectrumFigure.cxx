@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "AxisScale.h"
+#include "PanelLabel.h"
 #include "SchemeStyle.h"
 
 namespace mien {
@@ -42,26 +43,39 @@ Chart chartOf(const std::vector<SchemeSpectrum>& spectra, const ChartAxis& y, do
   return chart;
 }
 
-}  // namespace
-
-Figure spectrumFigure(const std::vector<SchemeSpectrum>& spectra, const std::optional<double>& tolerance) {
-  Figure figure;
-  if (spectra.empty() || spectra.front().modes.empty()) return figure;
+Chart chartOf(const std::vector<SchemeSpectrum>& spectra, SpectrumPart part) {
   const auto axis = [](const char* title, const char* unit) {
     return ChartAxis{title, unit, ChartAxis::Scale::Automatic};
   };
   const auto samples = ChartSeries::Kind::Samples;
   const auto bars = spectra.size() > 1 ? samples : ChartSeries::Kind::Bars;  // many bars differ in colour alone
-  figure.panels = {
-      chartOf(spectra, axis("RMS of the contribution", "mm"), &ModeMeasures::rms, bars, false),
-      chartOf(spectra, axis("Share of the energy", ""), &ModeMeasures::energyShare, bars, false),
-      chartOf(spectra, axis("RMS missing from the sum", "mm"), &ModeMeasures::cumulativeError, samples, true)};
-  if (tolerance)
-    figure.panels.back().marks.push_back({*tolerance, true, "tolerance " + tickText(*tolerance, *tolerance) + " mm"});
+  switch (part) {
+    case SpectrumPart::Length:
+      return chartOf(spectra, axis("RMS of the contribution", "mm"), &ModeMeasures::rms, bars, false);
+    case SpectrumPart::Energy:
+      return chartOf(spectra, axis("Share of the energy", ""), &ModeMeasures::energyShare, bars, false);
+    default:
+      return chartOf(spectra, axis("RMS missing from the sum", "mm"), &ModeMeasures::cumulativeError, samples, true);
+  }
+}
+
+}  // namespace
+
+Figure spectrumFigure(const std::vector<SchemeSpectrum>& spectra, const std::optional<double>& tolerance,
+                      const std::vector<SpectrumPart>& parts) {
+  Figure figure;
+  if (spectra.empty() || spectra.front().modes.empty()) return figure;
   figure.title = "Spectrum of the surface";
   figure.caption =
-      "What each Fourier mode adds to the surface; \"rest\" is the remainder, all harmonics above N together. (c) What "
-      "the sum of the modes up to n lacks.";
+      "What each Fourier mode adds to the surface; \"rest\" is the remainder, all harmonics above N together.";
+  for (const SpectrumPart part : parts) {
+    figure.panels.push_back(chartOf(spectra, part));
+    if (part != SpectrumPart::Missing) continue;
+    const std::string label = panelLabel(figure.panels.size() - 1, parts.size()).toStdString();
+    figure.caption += (label.empty() ? " " : " " + label + " ") + "What the sum of the modes up to n lacks.";
+    if (tolerance)
+      figure.panels.back().marks.push_back({*tolerance, true, "tolerance " + tickText(*tolerance, *tolerance) + " mm"});
+  }
   return figure;
 }
 

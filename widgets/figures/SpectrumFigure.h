@@ -13,9 +13,19 @@ struct SchemeSpectrum {
   std::vector<ModeMeasures> modes;
 };
 
+/// What a panel of the figure shows of the modes.
+enum class SpectrumPart {
+  Length,  ///< RMS of each mode, mm
+  Energy,  ///< share of each mode
+  Missing  ///< what the sum up to each mode lacks, mm
+};
+
 /// What each mode adds to a surface: length, share of the energy, and what partial sums lack.
 ///
-/// @param tolerance  mm, drawn as a line across the error
-Figure spectrumFigure(const std::vector<SchemeSpectrum>& spectra, const std::optional<double>& tolerance);
+/// @param tolerance  mm, drawn as a line across what sums lack
+/// @param parts      a panel for each, in this order
+Figure spectrumFigure(const std::vector<SchemeSpectrum>& spectra, const std::optional<double>& tolerance,
+                      const std::vector<SpectrumPart>& parts = {SpectrumPart::Length, SpectrumPart::Energy,
+                                                                SpectrumPart::Missing});
 
 }  // namespace mien

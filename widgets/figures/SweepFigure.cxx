@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "AxisScale.h"
 #include "SchemeStyle.h"
@@ -34,6 +35,8 @@ const Panel panels[] = {{"area_mm2", "Area", "mm²", linear, 1.0},
 
 constexpr double halfTurn = 180.0;
 constexpr double leastMeasured = 1e-6;  // mm and degrees: below this values are rounding and would take most of an axis
+
+constexpr double beyondBreakdown = 2.0;  // of a: how far the axis goes on where no scheme's surface is a face any more
 
 double shown(const Panel& panel, double value) {
   return *panel.unit && value < leastMeasured ? 0.0 : value;  // which a logarithmic axis leaves out
@@ -75,9 +78,24 @@ std::vector<double> soundValues(const Chart& chart) {
   std::vector<double> values;
   for (const ChartSeries& series : chart.series)
     for (size_t i = 0; i < series.x.size(); ++i)
-      if (std::isfinite(series.y[i]) && (!series.breakdown || series.x[i] <= *series.breakdown))
+      if (std::isfinite(series.y[i]) && (!series.breakdown || series.x[i] < *series.breakdown))
         values.push_back(series.y[i]);
   return values;
+}
+
+/// Where the axis of a ends soon after the last breakdown; nothing: with the data, which hold a face to the end.
+std::optional<double> endAfterBreakdowns(const Chart& chart) {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0, last = 0.0;
+  for (const ChartSeries& series : chart.series) {
+    if (series.x.empty()) continue;
+    if (!series.breakdown) return {};
+    least = std::min(least, series.x.front());
+    most = std::max(most, series.x.back());
+    last = std::max(last, *series.breakdown);
+  }
+  const double end = beyondBreakdown * last;
+  if (end > least && end < most) return end;
+  return {};
 }
 
 /// Past its breakdown a measure can grow to 1e30, beside which nothing else would be seen: the line leaves the panel.
@@ -89,11 +107,11 @@ void limitAxis(Chart& chart, double room) {
       if (std::isfinite(value)) largest = std::max(largest, value);
   for (const double value : values) end = std::max(end, room * value);
   if (!values.empty()) values.push_back(std::min(end, largest));
-  if (largest == 0.0) chart.y.end = 1.0;
+  if (largest == 0.0) values = {0.0, 1.0};
   const AxisScale scale = AxisScale::around(chart.y, values, false);
   chart.y.begin = scale.begin();
   chart.y.end = scale.end();
-  if (chart.y.unit != "degrees") return;
+  if (chart.y.unit != "degrees" || *chart.y.end <= 0.5 * halfTurn) return;
   chart.y.end = halfTurn;  // all that an angle between normals can be
   chart.y.step = 0.25 * halfTurn;
 }
@@ -111,6 +129,7 @@ Chart chartOf(const std::vector<SweepRecord>& records, const std::map<std::strin
     if (breakdown != breakdowns.end()) chart.series.back().breakdown = breakdown->second;
   }
   limitAxis(chart, panel.room);
+  chart.x.end = endAfterBreakdowns(chart);
   return chart;
 }
 
@@ -156,6 +175,8 @@ Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::
     figure.caption +=
         " The markers above a plot stand where a scheme's surface ceases to be a face: it leaves the box of its "
         "curves by more than 3 %, or more than 0.5 % of its front is turned over; beyond, its curve is thin.";
+  if (!figure.panels.empty() && figure.panels.front().x.end)
+    figure.caption += " The axes of a end at twice the last of these.";
   if (leavesPanels(figure)) figure.caption += " Curves that leave a panel exceed its scale.";
   const std::string ends = earlyEnds(records);
   if (!ends.empty()) figure.caption += " " + ends;

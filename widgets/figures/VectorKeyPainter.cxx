@@ -15,13 +15,20 @@ namespace {
 constexpr double keyTextSize = 7.0, keyNumberSize = 6.5;  // pt
 constexpr double barHeight = 2.6, keyTickLength = 0.7;    // mm
 constexpr double mostWidth = 90.0;                        // mm, of a key in a wide figure
+constexpr double leastWidth = 58.0;                       // mm: in a narrower key the bar stands below the arrow
+constexpr double stackGap = 2.0;                          // mm, above it there
 constexpr double endRoom = 2.2;                           // mm, for the last number or the point of the bar
 constexpr double gap = 4.0;                               // mm, between arrow and bar
 constexpr double tickRoom = 7.0;                          // mm, of a number below the bar
+constexpr char16_t glue = 0x00a0;                         // between words that stay in one line
 constexpr int barSteps = 64;                              // no step of a colour can be seen
 
 QString number(double value) {
   return QString::number(value, 'g', 4);
+}
+
+QString glued(QString text) {
+  return text.replace(' ', QChar(glue));
 }
 
 }  // namespace
@@ -30,13 +37,14 @@ VectorKeyPainter::VectorKeyPainter(const VectorStyle& style, double reference, d
                                    std::pair<bool, bool> beyond)
     : style_(style), reference_(reference), width_(std::min(width, figureUnits(mostWidth))), beyond_(beyond) {
   using Length = MotionVectorOptions::Length;
-  const QString seen =
-      style.length == Length::InSpace ? QStringLiteral(" of motion in space") : QStringLiteral(" of motion");
-  const QString scale = style.length == Length::Equal
-                            ? QStringLiteral("Arrows of equal length show directions; motion below %1 mm has none")
-                                  .arg(QString::number(style.leastShown, 'g', 2))
-                            : QStringLiteral("1 mm of arrow = %1 mm").arg(number(style.scale)) + seen;
-  scaleLines_ = textLines(style.font(keyTextSize), scale, hasBar() ? barLeft() - figureUnits(gap) : width_);
+  const QString seen = style.length == Length::InSpace ? QStringLiteral(" in space") : QString();
+  const QString scale =
+      style.length == Length::Equal
+          ? QStringLiteral("Arrows of equal length show directions; motion below %1 mm has none")
+                .arg(QString::number(style.leastShown, 'g', 2))
+          : glued("1 mm of arrow =") + ' ' + glued(QStringLiteral("%1 mm of motion").arg(number(style.scale))) + seen;
+  scaleLines_ = textLines(style.font(keyTextSize), scale, isStacked() ? width_ : barLeft() - figureUnits(gap));
+  scaleLines_.replaceInStrings(QString(QChar(glue)), QStringLiteral(" "));
   if (style.lacksTowards)
     scaleLines_ << textLines(style.font(keyTextSize), QStringLiteral("No motion towards the viewer"), width_);
   titleLines_ = textLines(style.font(keyTextSize), title(), width_ - barLeft());
@@ -46,8 +54,12 @@ bool VectorKeyPainter::hasBar() const {
   return style_.color != MotionVectorOptions::Color::None && !style_.lacksTowards;
 }
 
+bool VectorKeyPainter::isStacked() const {
+  return !hasBar() || width_ < figureUnits(leastWidth);
+}
+
 double VectorKeyPainter::barLeft() const {
-  return hasBar() ? 0.44 * width_ : width_;
+  return isStacked() ? 0.0 : 0.44 * width_;
 }
 
 QString VectorKeyPainter::title() const {
@@ -56,11 +68,15 @@ QString VectorKeyPainter::title() const {
 }
 
 double VectorKeyPainter::height() const {
-  const double line = lineHeight(style_.font(keyTextSize));
-  const double bar = hasBar() ? titleLines_.size() * line + figureUnits(barHeight + keyTickLength + 0.4) +
-                                    lineHeight(style_.font(keyNumberSize))
-                              : 0.0;
-  return std::max(bar, (reference_ > 0.0 ? line : 0.0) + scaleLines_.size() * line);
+  if (!hasBar()) return referenceHeight();
+  const double bar = titleLines_.size() * lineHeight(style_.font(keyTextSize)) +
+                     figureUnits(barHeight + keyTickLength + 0.4) + lineHeight(style_.font(keyNumberSize));
+  return isStacked() ? referenceHeight() + figureUnits(stackGap) + bar : std::max(bar, referenceHeight());
+}
+
+/// Of the arrow and its scale.
+double VectorKeyPainter::referenceHeight() const {
+  return (scaleLines_.size() + (reference_ > 0.0 ? 1 : 0)) * lineHeight(style_.font(keyTextSize));
 }
 
 void VectorKeyPainter::paint(QPainter& painter, const QPointF& topLeft) const {
@@ -69,13 +85,14 @@ void VectorKeyPainter::paint(QPainter& painter, const QPointF& topLeft) const {
   const QFont font = style_.font(keyTextSize);
   painter.setFont(font);
   painter.setPen(style_.theme.text);
-  double y = topLeft.y();
+  double y = topLeft.y() + (isStacked() ? referenceHeight() + figureUnits(stackGap) : 0.0);
   for (const QString& line : titleLines_) {
     painter.drawText(QPointF(topLeft.x() + barLeft(), y + 0.95 * font.pixelSize()), line);
     y += lineHeight(font);
   }
-  const QRectF bar(topLeft.x() + barLeft(), y + figureUnits(0.4), width_ - barLeft() - figureUnits(endRoom),
-                   figureUnits(barHeight));
+  const double room = isStacked() ? figureUnits(endRoom) : 0.0;
+  const QRectF bar(topLeft.x() + barLeft() + room, y + figureUnits(0.4),
+                   width_ - barLeft() - room - figureUnits(endRoom), figureUnits(barHeight));
   paintBar(painter, bar);
   paintTicks(painter, bar);
 }

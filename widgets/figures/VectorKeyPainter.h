@@ -9,7 +9,8 @@ class QPainter;
 
 namespace mien {
 
-/// The key of a motion vector figure: a reference arrow with its scale, and a colour bar in mm.
+/// The key of a motion vector figure: a reference arrow with its scale, and a colour bar in mm beside it, or below it
+/// in a narrow key.
 class VectorKeyPainter {
  public:
   /// @param reference  motion of the reference arrow, mm; 0: none
@@ -18,10 +19,13 @@ class VectorKeyPainter {
   VectorKeyPainter(const VectorStyle& style, double reference, double width, std::pair<bool, bool> beyond);
 
   double height() const;
+  QSizeF size() const { return {width_, height()}; }
   void paint(QPainter& painter, const QPointF& topLeft) const;
 
  private:
   bool hasBar() const;
+  bool isStacked() const;
+  double referenceHeight() const;
   double barLeft() const;
   void paintReference(QPainter& painter, const QPointF& topLeft) const;
   void paintBar(QPainter& painter, const QRectF& bar) const;

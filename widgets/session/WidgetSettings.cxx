@@ -17,6 +17,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "RenamedChoice.h"
 #include "SessionPart.h"
 
 namespace mien {
@@ -137,7 +138,8 @@ void set(QObject* object, const json& value) {
   const QMetaProperty changed = property(object);
   const QVariant wanted = fromJson(value, changed.userType());
   if (!wanted.isValid()) return;
-  if (auto* list = qobject_cast<QComboBox*>(object)) return choose(list, wanted.toString());
+  if (auto* list = qobject_cast<QComboBox*>(object))
+    return choose(list, presentChoice(list->objectName(), wanted.toString()));
   changed.write(object, wanted);
   if (auto* text = qobject_cast<QLineEdit*>(object)) emit text->editingFinished();
 }

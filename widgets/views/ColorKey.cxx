@@ -59,6 +59,14 @@ void ColorKey::showPatches() {
   update();
 }
 
+void ColorKey::showWords(const QString& words) {
+  shown_ = Shown::Words;
+  words_ = words;
+  setToolTip(words);
+  show();
+  update();
+}
+
 void ColorKey::clear() {
   shown_ = Shown::Nothing;
   hide();
@@ -107,12 +115,19 @@ void ColorKey::paintPatches(QPainter& painter) const {
   }
 }
 
+void ColorKey::paintWords(QPainter& painter) const {
+  painter.setPen(Theme::current().faintText);
+  const QRect place = rect().adjusted(keySide, 0, -keySide, 0);
+  painter.drawText(place, Qt::AlignVCenter, fontMetrics().elidedText(words_, Qt::ElideRight, place.width()));
+}
+
 void ColorKey::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), Theme::current().viewBottom);
   if (shown_ == Shown::Scale) paintScale(painter);
   if (shown_ == Shown::Patches) paintPatches(painter);
+  if (shown_ == Shown::Words) paintWords(painter);
 }
 
 }  // namespace mien

@@ -16,6 +16,8 @@ class ColorKey : public QWidget {
 
   void showScale(const ColorLegend::Scale& scale);
   void showPatches();
+  /// Words in the place of a scale that the view beside has: why this one has none.
+  void showWords(const QString& words);
   void clear();
 
   QSize sizeHint() const override;
@@ -27,9 +29,11 @@ class ColorKey : public QWidget {
  private:
   void paintScale(QPainter& painter) const;
   void paintPatches(QPainter& painter) const;
+  void paintWords(QPainter& painter) const;
 
-  enum class Shown { Nothing, Scale, Patches } shown_ = Shown::Nothing;
+  enum class Shown { Nothing, Scale, Patches, Words } shown_ = Shown::Nothing;
   ColorLegend::Scale scale_;
+  QString words_;
 };
 
 }  // namespace mien

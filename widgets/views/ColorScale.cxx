@@ -11,8 +11,8 @@ namespace mien {
 
 namespace {
 
-constexpr int side = 12, scaleGap = 12, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
-constexpr int shortestBar = 60, narrowBelow = 300;
+constexpr int side = 12, scaleGap = 16, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
+constexpr int shortestBar = 40, narrowBelow = 300, betweenNumbers = 6;
 constexpr double point = 8.0;  // pixels, length of the pointed end
 
 QString mostText(double millimetres) {
@@ -43,7 +43,7 @@ QSize ColorScale::sizeHint() const {
 }
 
 QSize ColorScale::minimumSizeHint() const {
-  return {side + titleWidth(true) + scaleGap + shortestBar, sizeHint().height()};
+  return {side + titleWidth(true) + scaleGap + shortestBar + roomAfter(), sizeHint().height()};
 }
 
 bool ColorScale::isNarrow() const {
@@ -82,13 +82,8 @@ void ColorScale::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), theme.viewBottom);
   const QFontMetrics metrics = fontMetrics();
-  const QString unit = tr(" mm");
-  const double end = view_->rangeEnd();
   const int before = side + titleWidth(isNarrow()) + scaleGap;
-  const int after = std::max<int>(metrics.horizontalAdvance(numberText(end)) / 2 + metrics.horizontalAdvance(unit),
-                                  static_cast<int>(point)) +
-                    side / 2;
-  const QRectF bar(before, above, std::max(20, width() - before - after), barHeight);
+  const QRectF bar(before, above, std::max(20, width() - before - roomAfter()), barHeight);
   paintBar(painter, bar);
   const double low = bar.bottom() + tick + metrics.ascent();
   painter.setPen(theme.text);
@@ -96,11 +91,41 @@ void ColorScale::paintEvent(QPaintEvent*) {
   painter.setPen(isExceeded() ? theme.curveMoved : theme.text);
   painter.drawText(QPointF(side, low), mostText(view_->most()));
   painter.setPen(theme.text);
-  for (double share : {0.0, 0.5, 1.0}) {
-    const double x = bar.left() + share * bar.width();
-    const QString number = numberText(share * end);
+  paintNumbers(painter, bar, low);
+}
+
+/// Behind the bar, for half of its last number, the unit and the pointed end.
+int ColorScale::roomAfter() const {
+  const QFontMetrics metrics = fontMetrics();
+  const int half = metrics.horizontalAdvance(numberText(view_->rangeEnd())) / 2;
+  return std::max(half + metrics.horizontalAdvance(tr(" mm")), static_cast<int>(point)) + side / 2;
+}
+
+/// The ends first; the middle where it is clear of them.
+std::vector<QRectF> ColorScale::numberPlaces(const QRectF& bar) const {
+  const QFontMetrics metrics = fontMetrics();
+  std::vector<QRectF> places;
+  for (double share : {0.0, 1.0, 0.5}) {
+    const QString number = numberText(share * view_->rangeEnd());
+    const double wide = metrics.horizontalAdvance(number);
+    const double whole = share == 1.0 ? metrics.horizontalAdvance(number + tr(" mm")) : wide;
+    const QRectF place(bar.left() + share * bar.width() - 0.5 * wide, bar.bottom() + tick, whole, metrics.height());
+    const QRectF clear = place.adjusted(-betweenNumbers, 0, betweenNumbers, 0);
+    const auto meets = [&](const QRectF& other) { return other.intersects(clear); };
+    if (share == 0.5 && std::any_of(places.begin(), places.end(), meets)) break;
+    places.push_back(place);
+  }
+  return places;
+}
+
+void ColorScale::paintNumbers(QPainter& painter, const QRectF& bar, double low) const {
+  const double shares[] = {0.0, 1.0, 0.5};
+  const std::vector<QRectF> places = numberPlaces(bar);
+  for (size_t i = 0; i < places.size(); ++i) {
+    const double x = bar.left() + shares[i] * bar.width();
+    const QString number = numberText(shares[i] * view_->rangeEnd());
     painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + tick));
-    painter.drawText(QPointF(x - metrics.horizontalAdvance(number) / 2.0, low), share == 1.0 ? number + unit : number);
+    painter.drawText(QPointF(places[i].left(), low), shares[i] == 1.0 ? number + tr(" mm") : number);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <vector>
 
 namespace mien {
 
@@ -15,6 +16,9 @@ class ColorScale : public QWidget {
 
   bool isExceeded() const;  ///< whether something has moved further than the colours tell
 
+  /// Where the numbers below a bar stand, those of its ends first, in pixels.
+  std::vector<QRectF> numberPlaces(const QRectF& bar) const;
+
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -25,6 +29,8 @@ class ColorScale : public QWidget {
   QString title() const;
   bool isNarrow() const;
   int titleWidth(bool narrow) const;
+  int roomAfter() const;
+  void paintNumbers(QPainter& painter, const QRectF& bar, double low) const;
   void paintBar(QPainter& painter, const QRectF& bar) const;
 
   CurveView* view_;

@@ -202,6 +202,9 @@ void FaceColoring::followOverlay(const QObject* overlay) {
   if (shown) clearColors();
   ColorKey* key = sides_.front()->key;
   dock && dock->scale() ? key->showScale(*dock->scale()) : key->clear();
+  if (sides_.size() > 1)
+    dock && dock->scale() ? sides_[1]->key->showWords(tr("%1: of A alone").arg(dock->words()))
+                          : sides_[1]->key->clear();
   setDock(dock ? dock->words() : QString());
   emit changed();
 }
@@ -278,7 +281,8 @@ void FaceColoring::paint() {
   emit changed();
 }
 
-/// A mesh has no patches and not every array: it keeps its skin.
+/// A mesh has no patches and not every array: it keeps its skin, and the place of the key, so that both are of one
+/// height.
 void FaceColoring::paintSide(size_t side) {
   auto& [view, key, legend] = *sides_[side];
   vtkPolyData* shown = colored()[side];
@@ -296,7 +300,7 @@ void FaceColoring::paintSide(size_t side) {
   view->showSurface(kind_ == Kind::Difference && shown ? shown : mesh, mesh != nullptr);
   const bool has = array_.find(shown) != nullptr;
   view->setColors(array_, has ? &legend : nullptr);
-  if (!has) return key->clear();
+  if (!has) return key->showWords(isPatches ? tr("B has no patches") : tr("B has no %1").arg(array_.title));
   isPatches ? key->showPatches() : key->showScale(scale);
 }
 

@@ -19,9 +19,11 @@ class DepthPainter {
     double x, y, depth, light;  // pixels, pixels, mm towards the viewer, 0 .. 1
   };
 
-  DepthPainter(const QSize& size, const QColor& skin, const QColor& background)
-      : image_(size, QImage::Format_RGB32), depth_(size_t(size.width()) * size.height(), -1e300), skin_(skin) {
-    image_.fill(background);
+  DepthPainter(const QSize& size, const QColor& skin)
+      : image_(size, QImage::Format_ARGB32_Premultiplied),
+        depth_(size_t(size.width()) * size.height(), -1e300),
+        skin_(skin) {
+    image_.fill(Qt::transparent);
   }
 
   void triangle(const Corner& a, const Corner& b, const Corner& c) {
@@ -79,7 +81,7 @@ void ThumbnailStyle::frame(const FaceCurves& face) {
 
 QImage faceThumbnail(const FaceSample& sample, const ThumbnailStyle& style) {
   const QSize drawn = style.size * oversampling;
-  DepthPainter painter(drawn, style.skin, style.background);
+  DepthPainter painter(drawn, style.skin);
   const Eigen::Vector2d extent = thumbnailMargin * (style.high - style.low), middle = 0.5 * (style.low + style.high);
   const double scale = std::min(drawn.width() / extent.x(), drawn.height() / extent.y());
   const int columns = sample.columnCount();

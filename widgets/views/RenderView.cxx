@@ -214,9 +214,17 @@ void RenderView::setCompany(const double* bounds) {
   if (bounds) std::copy_n(bounds, 6, company_.emplace().begin());
 }
 
+bool RenderView::hasTwin() const {
+  return twin_ && twin_->isVisibleTo(twin_->window());
+}
+
+/// Twins show all of it in the smaller of them.
 double RenderView::distanceTo(double width, double height) const {
-  const double aspect = static_cast<double>(std::max(1, this->width())) / std::max(1, this->height());
-  return 0.5 * std::max(height, width / aspect) / std::tan(viewAngle * M_PI / 360.0);
+  const auto perPixel = [&](const RenderView& view) {
+    return std::max(width / std::max(1, view.width()), height / std::max(1, view.height()));
+  };
+  const double millimetres = hasTwin() ? std::max(perPixel(*this), perPixel(*twin_)) : perPixel(*this);
+  return 0.5 * millimetres * std::max(1, this->height()) / std::tan(viewAngle * M_PI / 360.0);
 }
 
 const RenderView& RenderView::leader() const {
@@ -265,9 +273,13 @@ void RenderView::takeCamera(const RenderView* other) {
   passCamera(other);
 }
 
-void RenderView::link(RenderView* other) {
+void RenderView::link(RenderView* other, Zoom zoom) {
   if (std::find(partners_.begin(), partners_.end(), other) != partners_.end()) return;
   leader_ = other;
+  if (zoom == Zoom::ToScale) {
+    twin_ = other;
+    other->twin_ = this;
+  }
   takeCamera(other);
   partners_.emplace_back(other);
   other->partners_.emplace_back(this);
@@ -277,11 +289,12 @@ void RenderView::unlink() {
   for (const QPointer<RenderView>& partner : partners_)
     if (partner) partner->forget(this);
   partners_.clear();
-  leader_ = nullptr;
+  leader_ = twin_ = nullptr;
 }
 
 void RenderView::forget(const RenderView* other) {
   if (leader_ == other) leader_ = nullptr;
+  if (twin_ == other) twin_ = nullptr;
   partners_.erase(std::remove(partners_.begin(), partners_.end(), other), partners_.end());
 }
 
@@ -337,9 +350,12 @@ void RenderView::useTheme() {
 
 void RenderView::resizeEvent(QResizeEvent* event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
-  if (moved_) return;
+  if (moved_) return hasTwin() ? takeCamera(twin_) : void();
   placeCamera();  // not fit(): the other view has a size of its own
   redraw();
+  if (!hasTwin() || twin_->moved_) return;
+  twin_->placeCamera();
+  twin_->redraw();
 }
 
 /// Turns and zooms as the mouse does.

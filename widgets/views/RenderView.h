@@ -41,9 +41,15 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   /// @param bounds  x, y, z from and to, in mm
   void setCompany(const double* bounds);
 
-  /// Turns and zooms together with the other view, and with all that it is linked with, to the size of each.
-  void link(RenderView* other);  ///< which leads: linked views take in what it does, in one scale
-  void unlink();                 ///< from all
+  /// What linked views of different sizes have in common.
+  enum class Zoom {
+    Filling,  ///< what fills one fills the other
+    ToScale   ///< a millimetre is as many pixels, so that both can be compared
+  };
+
+  /// Turns and zooms together with the other view, and with all that it is linked with.
+  void link(RenderView* other, Zoom zoom = Zoom::Filling);  ///< which leads: linked views take in what it does
+  void unlink();                                            ///< from all
   bool isLinked() const { return !partners_.empty(); }
   bool isMoved() const { return moved_; }  ///< whether the user has placed the camera
   vtkCamera* camera() const;
@@ -76,6 +82,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   const RenderView& leader() const;  ///< of those that are linked; itself where none is
   double fittingDistance() const;    ///< from which the whole face fills this view
   double distanceTo(double width, double height) const;
+  bool hasTwin() const;
   void takeCamera(const RenderView* other);
   void forget(const RenderView* other);
   void passCamera(const RenderView* except = nullptr);
@@ -85,6 +92,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   vtkNew<vtkRenderer> renderer_;
   std::vector<QPointer<RenderView>> partners_;  ///< a tree: no view is reached in two ways
   QPointer<RenderView> leader_;                 ///< that this was linked with
+  QPointer<RenderView> twin_;                   ///< linked to scale
   std::optional<std::array<double, 6>> company_;
   Side side_ = Side::Front;
   bool moved_ = false, outdated_ = true;

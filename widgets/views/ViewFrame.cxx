@@ -6,30 +6,31 @@
 #include <algorithm>
 
 #include "ElidedLabel.h"
-#include "WrappingRow.h"
+#include "OverflowRow.h"
 
 namespace mien {
 
 namespace {
 
-constexpr int gap = 10;         // pixels between groups of buttons
-constexpr int shortTitle = 60;  // pixels that a long title has in any case
+constexpr int gap = 6;          // pixels between groups of buttons
+constexpr int edge = 1;         // pixels, of the frame's line
+constexpr int shortTitle = 48;  // pixels that a long title has in any case
 
 }  // namespace
 
 ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
-    : QFrame(parent), header_(new WrappingRow), name_(new ElidedLabel(this)) {
+    : QFrame(parent), header_(new OverflowRow(view->objectName() + "Header", this)), name_(new ElidedLabel(this)) {
   setProperty("card", true);
   name_->setProperty("heading", true);
   name_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   setTitle(title);
-  header_->setContentsMargins(10, 5, 6, 5);
+  header_->setMargins(10, 5, 6, 5);
   header_->setSpacing(1);
   header_->addWidget(name_);
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(1, 1, 1, 1);
+  column->setContentsMargins(edge, edge, edge, edge);
   column->setSpacing(0);
-  column->addLayout(header_);
+  column->addWidget(header_);
   column->addWidget(view, 1);
 }
 
@@ -44,7 +45,7 @@ QToolButton* ViewFrame::addButton(const QString& objectName, const QString& text
   button->setText(text);
   button->setToolTip(toolTip);
   button->setFocusPolicy(Qt::TabFocus);
-  header_->addWidget(button);
+  header_->addWidget(button, ++controls_);
   return button;
 }
 

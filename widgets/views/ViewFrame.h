@@ -7,9 +7,9 @@ class QToolButton;
 namespace mien {
 
 class ElidedLabel;
-class WrappingRow;
+class OverflowRow;
 
-/// A view with its title and its buttons above it.
+/// A view with its title and its buttons above it; where there is no room for all, the last of them wait behind "more".
 class ViewFrame : public QFrame {
   Q_OBJECT
  public:
@@ -18,12 +18,13 @@ class ViewFrame : public QFrame {
   void setTitle(const QString& title);
   QToolButton* addButton(const QString& objectName, const QString& text, const QString& toolTip);
   QToolButton* addToggle(const QString& objectName, const QString& text, const QString& toolTip, bool on);
-  void addControl(QWidget* control);  ///< in the head, after what is there
+  void addControl(QWidget* control);  ///< in the head, after what is there; it never leaves it
   void addGap();
   void addBelow(QWidget* widget);
 
  private:
-  WrappingRow* header_;
+  OverflowRow* header_;
+  int controls_ = 0;
   ElidedLabel* name_;
 };
 

@@ -46,6 +46,10 @@ QPainterPath lineShape(Symbol symbol) {
     path.lineTo(12, 12);
     path.moveTo(12, 4);
     path.lineTo(4, 12);
+  } else if (symbol == Symbol::Detach) {
+    path.addRoundedRect(2.5, 5.5, 8, 8, 1, 1);
+    path.moveTo(6, 5);
+    path.addPolygon(QPolygonF({{6, 5}, {6, 2.5}, {13.5, 2.5}, {13.5, 10}, {11, 10}}));
   } else if (symbol == Symbol::Open) {
     path.addPolygon(QPolygonF({{2, 13}, {2, 4}, {6, 4}, {7.5, 5.5}, {13, 5.5}, {13, 7.5}}));
     path.moveTo(2, 13);

@@ -4,7 +4,7 @@
 
 namespace mien {
 
-enum class Symbol { Play, Pause, First, Loop, Reset, Close, Open };
+enum class Symbol { Play, Pause, First, Loop, Reset, Close, Open, Detach };
 
 /// A symbol drawn as lines in the palette's text colour, sharp at every size and resolution.
 QIcon icon(Symbol symbol);

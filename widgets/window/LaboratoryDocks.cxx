@@ -70,7 +70,9 @@ void LaboratoryDocks::giveHeight(QDockWidget* dock, bool hasPicture) {
 QDockWidget* LaboratoryDocks::add(const QString& name, const QString& title, QWidget* panel) {
   auto* dock = new QDockWidget(title, window_);
   dock->setObjectName(name);
-  dock->setWidget(new DockScroll(panel));
+  auto* scroll = new DockScroll(panel);
+  scroll->setObjectName(name + "Scroll");
+  dock->setWidget(scroll);
   dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                     QDockWidget::DockWidgetFloatable);
   window_->addDockWidget(Qt::BottomDockWidgetArea, dock);

@@ -5,6 +5,7 @@
 #include <tiffio.h>
 #include <vtkVersion.h>
 
+#include <CLI/Version.hpp>
 #include <Eigen/Core>
 #include <QCoreApplication>
 #include <QObject>
@@ -42,18 +43,19 @@ QString graphics() {
 
 std::vector<std::pair<QString, QString>> libraryVersions() {
   const QString mien = QCoreApplication::applicationVersion();
-  return {{"Mien", mien.isEmpty() ? QObject::tr("without a version") : mien},
-          {"VTK", vtkVersion::GetVTKVersion()},
-          {"Qt", qVersion()},
-          {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-          {"OpenMesh", QString::fromStdString(meshLibraryVersion())},
-          {"JSON for Modern C++",
-           dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
-          {"libpng", png_get_libpng_ver(nullptr)},
-          {"LibTIFF", QString(TIFFGetVersion()).section('\n', 0, 0).section(' ', -1)},
-          {"liblzma", lzma_version_string()},
-          {"OpenGL", graphics()},
-          {QObject::tr("System"), QSysInfo::prettyProductName() + ", " + QSysInfo::currentCpuArchitecture()}};
+  return {
+      {"Mien", mien.isEmpty() ? QObject::tr("without a version") : mien},
+      {"VTK", vtkVersion::GetVTKVersion()},
+      {"Qt", qVersion()},
+      {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+      {"OpenMesh", QString::fromStdString(meshLibraryVersion())},
+      {"CLI11", dotted(CLI11_VERSION_MAJOR, CLI11_VERSION_MINOR, CLI11_VERSION_PATCH)},
+      {"nlohmann-json", dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+      {"libpng", png_get_libpng_ver(nullptr)},
+      {"LibTIFF", QString(TIFFGetVersion()).section('\n', 0, 0).section(' ', -1)},
+      {"liblzma", lzma_version_string()},
+      {"OpenGL", graphics()},
+      {QObject::tr("System"), QSysInfo::prettyProductName() + ", " + QSysInfo::currentCpuArchitecture()}};
 }
 
 }  // namespace mien

@@ -6,8 +6,8 @@
 
 namespace mien {
 
-/// What this program is made of and runs on, with the version of each: Mien, VTK, Qt, Eigen, OpenMesh, JSON, OpenGL and
-/// the system.
+/// What Mien's programs are made of and run on, with the version of each: Mien, every library that README's table of
+/// dependencies names for them, under its name there, OpenGL and the system.
 std::vector<std::pair<QString, QString>> libraryVersions();
 
 }  // namespace mien

@@ -11,8 +11,8 @@
 
 namespace mien {
 
-RecoveryBar::RecoveryBar(Autosave* autosave, SessionDocument* document, QWidget* parent)
-    : QFrame(parent), autosave_(autosave), document_(document), sentence_(new QLabel(this)) {
+RecoveryBar::RecoveryBar(Autosave* autosave, SessionDocument* document, QWidget* next, QWidget* parent)
+    : QFrame(parent), autosave_(autosave), document_(document), next_(next), sentence_(new QLabel(this)) {
   setObjectName("recoveryBar");
   sentence_->setObjectName("recoverySentence");
   sentence_->setWordWrap(true);
@@ -31,7 +31,14 @@ RecoveryBar::RecoveryBar(Autosave* autosave, SessionDocument* document, QWidget*
 
 void RecoveryBar::offer() {
   if (autosave_->hasOrphan()) sentence_->setText(autosave_->orphanText());
+  if (!autosave_->hasOrphan()) giveFocus();
   setVisible(autosave_->hasOrphan());
+}
+
+/// Before the bar goes: a button that is hidden loses the focus to whatever comes next in the window.
+void RecoveryBar::giveFocus() {
+  const QWidget* focus = window()->focusWidget();
+  if (!focus || !focus->isVisible() || isAncestorOf(focus)) next_->setFocus();
 }
 
 /// What else was kept is offered at the next start: shown now, it would take the place of this. One that cannot be
@@ -44,6 +51,7 @@ void RecoveryBar::restore() {
     return offer();
   }
   autosave_->discardOrphan();
+  giveFocus();
   hide();
 }
 

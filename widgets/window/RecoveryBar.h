@@ -14,16 +14,19 @@ class SessionDocument;
 class RecoveryBar : public QFrame {
   Q_OBJECT
  public:
-  RecoveryBar(Autosave* autosave, SessionDocument* document, QWidget* parent = nullptr);
+  /// @param next  has the focus when there is nothing more to answer, unless it is elsewhere by then
+  RecoveryBar(Autosave* autosave, SessionDocument* document, QWidget* next, QWidget* parent = nullptr);
 
  private:
   void restore();
   void discard();
 
   void offer();
+  void giveFocus();
 
   Autosave* autosave_;
   SessionDocument* document_;
+  QWidget* next_;
   QLabel* sentence_;
 };
 

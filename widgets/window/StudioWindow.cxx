@@ -47,6 +47,7 @@ namespace mien {
 namespace {
 
 constexpr int studioWidth = 1280, studioHeight = 800;  // pixels
+constexpr int titleBar = 40;                           // pixels that a desktop puts above a window
 
 QStringList droppedFiles(const QMimeData* data) {
   QStringList names;
@@ -101,7 +102,7 @@ StudioWindow::StudioWindow()
   connect(model_, &FaceModel::failed, messages_, &MessageBar::showError);
   connect(model_, &FaceModel::remarked, messages_, &MessageBar::showNote);
   connect(model_, &FaceModel::recovered, messages_, &MessageBar::clearError);
-  resize(QSize(studioWidth, studioHeight).boundedTo(screen()->availableSize()));
+  resize(QSize(studioWidth, studioHeight).boundedTo(screen()->availableSize() - QSize(0, titleBar)));
   WindowLayout::restore(*this);
   workspaces_->restore();
   keeper_->begin();
@@ -130,6 +131,7 @@ QWidget* StudioWindow::centre() {
   laboratory_->addSkinButton(views_->faceFrame());
   laboratory_->addScanSwitch(views_->faceFrame());
   connect(timeline, &TimelinePanel::openRequested, this, &StudioWindow::chooseAnimation);
+  connect(timeline, &TimelinePanel::demonstrationRequested, this, &StudioWindow::playDemonstration);
   auto* box = new QWidget(this);
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 6, 8, 8);
@@ -137,7 +139,7 @@ QWidget* StudioWindow::centre() {
   column->addWidget(views_, 1);
   column->addWidget(timeline);
   QList<QWidget*> bars = {messages_};
-  if (keeper_->autosave()) bars << new RecoveryBar(keeper_->autosave(), keeper_->document(), box);
+  if (keeper_->autosave()) bars << new RecoveryBar(keeper_->autosave(), keeper_->document(), face_, box);
   new FloatingBars(views_, {face_, curves_}, bars, box);
   return box;
 }
@@ -145,7 +147,9 @@ QWidget* StudioWindow::centre() {
 void StudioWindow::addDock(const QString& name, const QString& title, QWidget* panel) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
-  dock->setWidget(new DockScroll(panel));
+  auto* scroll = new DockScroll(panel);
+  scroll->setObjectName(name + "Scroll");
+  dock->setWidget(scroll);
   dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                     QDockWidget::DockWidgetFloatable);
   addDockWidget(Qt::LeftDockWidgetArea, dock);

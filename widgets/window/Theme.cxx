@@ -3,10 +3,10 @@
 #include <QApplication>
 #include <QPalette>
 #include <QString>
-#include <QStyleFactory>
 #include <QVariant>
 
 #include "Remembered.h"
+#include "StudioStyle.h"
 
 namespace mien {
 
@@ -105,7 +105,7 @@ QMainWindow::separator { background: @window; width: 6px; height: 6px; }
 QToolTip { color: @text; background: @panel; border: 1px solid @line; padding: 4px; }
 QMenuBar { background: @window; }
 QStatusBar { background: @window; color: @faint; }
-QDockWidget { font-weight: 600; titlebar-close-icon: none; }
+QDockWidget { font-weight: 600; }
 QDockWidget::title { background: @window; padding: 6px 8px; }
 QFrame[card="true"] { background: @panel; border: 1px solid @line; border-radius: 6px; }
 QLabel[faint="true"] { color: @faint; }
@@ -134,6 +134,9 @@ QToolButton[checkable="true"]:checked:disabled { background: @window; color: @di
 QToolButton:focus { border: 2px solid @ring; padding: 2px 4px; }
 QToolButton[framed="true"]:focus { border: 2px solid @ring; padding: 3px 5px; }
 QToolButton[checkable="true"]:focus, QToolButton[checkable="true"]:checked:focus { border: 2px solid @ring; }
+QHeaderView { background: @window; }
+QHeaderView::section { background: @window; border: none; border-bottom: 1px solid @line; padding: 2px 4px; }
+QTableCornerButton::section { background: @window; border: none; border-bottom: 1px solid @line; }
 QListWidget#manualContents::item { padding: 3px 4px; }
 QListWidget#plotFAPs { border: 1px solid @line; border-radius: 4px; }
 QListWidget#plotFAPs::item { color: @faint; }
@@ -178,7 +181,7 @@ void Theme::choose(Kind kind, QApplication& application) {
 
 void Theme::apply(Kind kind, QApplication& application) {
   applied = &of(kind);
-  application.setStyle(QStyleFactory::create("Fusion"));
+  application.setStyle(new StudioStyle);
   application.setPalette(palette(*applied));
   application.setStyleSheet(styleSheet(*applied));
 }

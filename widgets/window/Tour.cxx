@@ -16,9 +16,10 @@ namespace mien {
 namespace {
 
 constexpr const char* seenKey = "window/tourSeen";
-constexpr int mostTourWidth = 330, padding = 14, tourGap = 10, radius = 7;  // pixels
-constexpr int titleGap = 4;
-constexpr int veil = 150;  // of 255, over what is not spoken of
+constexpr int tourWidths[] = {330, 280, 230};                    // pixels of a text, the first for which there is room
+constexpr int padding = 14, tourGap = 10, radius = 7, ring = 3;  // pixels
+constexpr int titleGap = 4, hintGap = 8;                         // pixels
+constexpr int veil = 150;                                        // of 255, over what is not spoken of
 
 QFont titleFont(QFont font) {
   font.setBold(true);
@@ -62,6 +63,8 @@ Tour::Tour(QMainWindow& window) : QWidget(&window), window_(window) {
   add("workspaces", tr("Workspaces"),
       tr("Animate, Surface, Deform, Acquire: each opens the docks for its work. F1 explains the one you are in."));
   setGeometry(window.rect());
+  current_ = -1;
+  step(1);
   window.installEventFilter(this);
 }
 
@@ -76,43 +79,73 @@ QRect Tour::targetOf(int stop) const {
   return QRect(target->mapTo(&window_, QPoint()), target->size());
 }
 
-int Tour::textHeight(const Stop& stop, int width) const {
-  const QRect room(0, 0, width, height());
-  return QFontMetrics(titleFont(font())).boundingRect(room, Qt::TextWordWrap, stop.title).height() + titleGap +
-         fontMetrics().boundingRect(room, Qt::TextWordWrap, stop.text).height();
+void Tour::step(int by) {
+  int next = current_ + by;
+  while (next >= 0 && next < stopCount() && targetOf(next).isEmpty()) next += by;
+  if (next >= stopCount()) {
+    close();
+    return;
+  }
+  current_ = std::max(0, next);
+  update();
 }
 
-/// In the middle of its part of the window, at the foot of a dock, so that its first controls are seen; below one that
-/// is too low to hold it, unless that lies at the window's foot.
+QString Tour::hint(int stop) const {
+  const QString place = tr("%1 of %2").arg(stop + 1).arg(stopCount());
+  return stop + 1 < stopCount() ? tr("%1 \u00b7 click or Space: next \u00b7 Esc: end").arg(place)
+                                : tr("%1 \u00b7 Help > Tour shows this again").arg(place);
+}
+
+QSize Tour::sizeOfText(int stop, int width) const {
+  const QRect room(0, 0, width, height());
+  const int title = QFontMetrics(titleFont(font())).boundingRect(room, Qt::TextWordWrap, stops_[stop].title).height();
+  const int text = fontMetrics().boundingRect(room, Qt::TextWordWrap, stops_[stop].text).height();
+  const int foot = fontMetrics().boundingRect(room, Qt::TextWordWrap, hint(stop)).height();
+  return {width + 2 * padding, title + titleGap + text + hintGap + foot + 2 * padding};
+}
+
+/// At the right, at the left, below and above, each within the window.
+std::vector<QRect> Tour::placesBeside(const QRect& target, const QSize& size) const {
+  std::vector<QRect> places(4, QRect(QPoint(), size));
+  for (QRect& place : places) place.moveCenter(target.center());
+  places[0].moveLeft(target.right() + tourGap);
+  places[1].moveRight(target.left() - tourGap);
+  places[2].moveTop(target.bottom() + tourGap);
+  places[3].moveBottom(target.top() - tourGap);
+  for (QRect& place : places) {
+    place.moveLeft(std::clamp(place.left(), tourGap, std::max(tourGap, width() - tourGap - place.width())));
+    place.moveTop(std::clamp(place.top(), tourGap, std::max(tourGap, height() - tourGap - place.height())));
+  }
+  return places;
+}
+
+/// Beside its part of the window; where there is no room at any side, narrower.
 QRect Tour::calloutOf(int stop) const {
   const QRect target = targetOf(stop);
   if (target.isEmpty()) return {};
-  const bool isLow = target.height() < textHeight(stops_[stop], mostTourWidth) + 2 * padding;
-  const int width = isLow ? mostTourWidth : std::min(mostTourWidth, target.width() - 2 * tourGap - 2 * padding);
-  QRect box(0, 0, width + 2 * padding, textHeight(stops_[stop], width) + 2 * padding);
-  box.moveCenter(target.center());
-  if (qobject_cast<const QDockWidget*>(stops_[stop].target)) box.moveBottom(target.bottom() - tourGap);
-  if (isLow) box.moveTop(target.bottom() + tourGap);
-  if (box.bottom() > height() - tourGap) box.moveBottom(target.top() - tourGap);
-  box.moveLeft(std::clamp(box.left(), tourGap, std::max(tourGap, this->width() - tourGap - box.width())));
-  return box;
+  for (int width : tourWidths)
+    for (const QRect& place : placesBeside(target, sizeOfText(stop, width)))
+      if (!place.intersects(target)) return place;
+  return placesBeside(target, sizeOfText(stop, tourWidths[0])).back();
 }
 
 void Tour::paintEvent(QPaintEvent*) {
+  const QRect target = targetOf(current_);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), QColor(0, 0, 0, veil));
-  for (int stop = 0; stop < stopCount(); ++stop) paintStop(painter, stop);
-  paintHint(painter);
+  QPainterPath around, hole;
+  around.addRect(rect());
+  hole.addRoundedRect(target, radius, radius);
+  painter.fillPath(around.subtracted(hole), QColor(0, 0, 0, veil));
+  painter.setPen(QPen(Theme::current().accent, ring));
+  painter.drawPath(hole);
+  paintText(painter, current_);
 }
 
-void Tour::paintStop(QPainter& painter, int stop) const {
-  const QRect target = targetOf(stop), box = calloutOf(stop);
-  if (target.isEmpty()) return;
+void Tour::paintText(QPainter& painter, int stop) const {
+  const QRect box = calloutOf(stop);
+  if (box.isEmpty()) return;
   const Theme& theme = Theme::current();
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(theme.accent, 2.0));
-  painter.drawRoundedRect(QRectF(target).adjusted(2, 2, -2, -2), radius, radius);
   painter.setPen(QPen(theme.accent, 1.0));
   painter.setBrush(theme.panel);
   painter.drawRoundedRect(QRectF(box).adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
@@ -123,26 +156,21 @@ void Tour::paintStop(QPainter& painter, int stop) const {
   painter.setFont(font());
   text.setTop(used.bottom() + titleGap);
   painter.drawText(text, Qt::TextWordWrap, stops_[stop].text);
-}
-
-void Tour::paintHint(QPainter& painter) const {
-  const QString text = tr("A click or Esc begins. Help > Tour shows this again.");
-  QRect box(0, 0, fontMetrics().horizontalAdvance(text) + 2 * padding, fontMetrics().height() + padding);
-  box.moveCenter(QPoint(width() / 2, 0));
-  box.moveTop(tourGap);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(Theme::current().accent);
-  painter.drawRoundedRect(box, box.height() / 2.0, box.height() / 2.0);
-  painter.setPen(Theme::current().accentText);
-  painter.drawText(box, Qt::AlignCenter, text);
+  painter.setPen(theme.faintText);
+  painter.drawText(text, Qt::TextWordWrap | Qt::AlignBottom, hint(stop));
 }
 
 void Tour::mousePressEvent(QMouseEvent*) {
-  close();
+  step(1);
 }
 
-void Tour::keyPressEvent(QKeyEvent*) {
-  close();
+void Tour::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) {
+    close();
+    return;
+  }
+  const bool isBack = event->key() == Qt::Key_Left || event->key() == Qt::Key_Backspace;
+  step(isBack ? -1 : 1);
 }
 
 bool Tour::eventFilter(QObject* watched, QEvent* event) {

@@ -4,6 +4,7 @@
 #include <vtkPolyData.h>
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -26,7 +27,6 @@
 #include "PointNumbers.h"
 #include "ViewExport.h"
 #include "ViewFrame.h"
-#include "WrappingRow.h"
 
 namespace mien {
 
@@ -78,7 +78,7 @@ ViewArea::ViewArea(FaceModel* model, FaceView* face, CurveView* curves, QWidget*
 
 QWidget* ViewArea::displayRow() {
   auto* row = new QWidget(this);
-  auto* layout = new WrappingRow(row);
+  auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(2, 0, 0, 0);
   layout->setSpacing(6);
   auto* bar = new ColoringBar(coloring_, row);
@@ -93,8 +93,7 @@ QWidget* ViewArea::displayRow() {
     namesOn_ = on;
     showCurves();
   });
-  layout->addWidget(bar);
-  layout->addStretch();
+  layout->addWidget(bar, 1);
   layout->addWidget(new ComparisonBar(comparison_, row));
   return row;
 }
@@ -168,7 +167,7 @@ void ViewArea::addOther() {
   splitter_->setStretchFactor(1, faceShare);
   splitter_->setStretchFactor(2, curveShare);
   splitter_->setSizes({faceShare * manyPixels, faceShare * manyPixels, curveShare * manyPixels});
-  other_->link(face_);
+  other_->link(face_, RenderView::Zoom::ToScale);
 }
 
 /// Below both, so that both are of one height.
@@ -195,7 +194,8 @@ void ViewArea::addOtherButtons() {
   });
   otherFrame_->addControl(arrows);
   QToolButton* link = otherFrame_->addToggle("compareLink", tr("Link"), tr("Turn and zoom together with A"), true);
-  connect(link, &QToolButton::toggled, this, [this](bool on) { on ? other_->link(face_) : other_->unlink(); });
+  connect(link, &QToolButton::toggled, this,
+          [this](bool on) { on ? other_->link(face_, RenderView::Zoom::ToScale) : other_->unlink(); });
   swap_ = otherFrame_->addButton("compareSwap", tr("Swap"), tr("A becomes B, and B becomes A"));
   connect(swap_, &QToolButton::clicked, comparison_, &Comparison::swap);
   connect(otherFrame_->addButton("compareClear", tr("Close"), tr("Ends the comparison")), &QToolButton::clicked,

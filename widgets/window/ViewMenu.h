@@ -10,7 +10,7 @@ class MessageBar;
 class ViewArea;
 class Workspaces;
 
-/// From where the face is seen, which docks are open, workspaces, messages and colours.
+/// What is seen and how, in sections: camera, drawing, curves, workspaces and docks, pictures, and the window itself.
 class ViewMenu : public QMenu {
   Q_OBJECT
  public:
@@ -18,9 +18,15 @@ class ViewMenu : public QMenu {
 
  private:
   void addSides();
-  void addExports(QWidget* window);
-  void addColours();
+  void addDrawing();
+  void addCurves();
+  void addDocks(Workspaces* workspaces);
+  void addExports();
+  void addAppearance(MessageBar* messages);
+  void addButton(QMenu* menu, const QString& text, const char* name);
+  void addChoices(const QString& title, const char* menuName, const char* name);
 
+  QMainWindow* window_;
   ViewArea* views_;
 };
 

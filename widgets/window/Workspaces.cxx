@@ -31,6 +31,7 @@ constexpr double mostBelow = 0.42;                // of a low window, for the fa
 constexpr int menuHeight = 26, separator = 6;     // pixels, of the theme
 constexpr int leastHeight = 150;                  // pixels of the dock that takes what is left
 constexpr int high = 1000, wide = 900;            // pixels of a window with room for the FAPs; of one dock of several
+constexpr int narrow = 1200;                      // pixels of a window in which a dock needs all of the width
 
 constexpr const char* growing = "fapDock";
 
@@ -139,23 +140,38 @@ QList<QDockWidget*> Workspaces::docks(const QStringList& names) const {
   return found;
 }
 
-/// The docks below lie beneath those at the left as well where these have no use for the height.
+/// The docks below lie beneath those at the left as well where these have no use for the height, and in a narrow
+/// window, where their tables need its width.
 void Workspaces::arrange(int workspace) {
   const QSize size = window_->size();
   QStringList atLeft = all()[workspace].left;
   if (size.height() >= high && !atLeft.contains(growing)) atLeft << growing;
   const QList<QDockWidget*> left = docks(atLeft), below = docks(all()[workspace].below);
   window_->restoreState(first_, version);
-  const bool isFull = atLeft.contains(growing);
+  const bool isNarrow = size.width() < narrow && size.height() < high && !below.isEmpty();
+  const bool isFull = atLeft.contains(growing) && !isNarrow;
   window_->setCorner(Qt::BottomLeftCorner, isFull ? Qt::LeftDockWidgetArea : Qt::BottomDockWidgetArea);
   const QList<QDockWidget*> fronts = placeBelow(below);
   for (auto* dock : window_->findChildren<QDockWidget*>())
     dock->setVisible(left.contains(dock) || below.contains(dock));
-  for (int i = 1; i < left.size(); ++i) window_->splitDockWidget(left[i - 1], left[i], Qt::Vertical);
-  giveSizes(left, fronts);
+  giveSizes(stack(left, isNarrow), fronts);
   for (QDockWidget* dock : fronts) dock->raise();
   window_->layout()->activate();
   window_->resize(size);  // while docks were on their way it may have grown
+}
+
+/// One below the other; in a narrow window the FAPs, which need height, in a tab. @return those that are seen
+QList<QDockWidget*> Workspaces::stack(const QList<QDockWidget*>& left, bool isNarrow) {
+  QList<QDockWidget*> seen = left.mid(0, 1);
+  for (QDockWidget* dock : left.mid(1)) {
+    const bool isBehind = isNarrow && dock->objectName() == growing;
+    isBehind ? window_->tabifyDockWidget(seen.back(), dock) : window_->splitDockWidget(seen.back(), dock, Qt::Vertical);
+    if (isBehind)
+      seen.back()->raise();
+    else
+      seen << dock;
+  }
+  return seen;
 }
 
 /// In as many columns as there is room for. @return the first dock of each

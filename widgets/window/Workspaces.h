@@ -50,6 +50,7 @@ class Workspaces : public QObject, public SessionPart {
   void buildBar();
   void show(int workspace);
   void arrange(int workspace);
+  QList<QDockWidget*> stack(const QList<QDockWidget*>& left, bool isNarrow);
   QList<QDockWidget*> placeBelow(const QList<QDockWidget*>& below);
   void giveSizes(const QList<QDockWidget*>& left, const QList<QDockWidget*>& below);
   void giveHeights(const QList<QDockWidget*>& left, int room);

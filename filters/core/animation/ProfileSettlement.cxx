@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "SettlementMemo.h"
 #include "StaggeredWeights.h"
 
 namespace mien {
@@ -86,7 +87,43 @@ void ProfileSettlement::widen(Profile& profile) {
     }
 }
 
+/// Sizes stand before what they count, so that no two questions read alike. A number that is none has no answer to be
+/// remembered: it equals nothing.
+std::vector<double> ProfileSettlement::question() const {
+  std::vector<double> all = {double(sweeps_), double(allowances_.size()), double(profiles_.size()),
+                             double(sets_.size())};
+  for (const Allowance& allowance : allowances_) all.insert(all.end(), {allowance.undershoot, allowance.most});
+  for (const Profile& profile : profiles_) {
+    const Eigen::VectorXd& weights = profile.weights;
+    const double* conditions = profile.conditions.data();
+    all.insert(all.end(), {double(weights.size()), double(profile.conditions.rows()), double(profile.places.size()),
+                           double(profile.parts)});
+    all.insert(all.end(), weights.data(), weights.data() + weights.size());
+    all.insert(all.end(), conditions, conditions + profile.conditions.size());
+    all.insert(all.end(), profile.places.begin(), profile.places.end());
+  }
+  for (const std::vector<int>& set : sets_) {
+    all.push_back(double(set.size()));
+    all.insert(all.end(), set.begin(), set.end());
+  }
+  return all;
+}
+
 void ProfileSettlement::settle() {
+  SettlementMemo& memo = SettlementMemo::shared();
+  const std::vector<double> asked = question();
+  const bool isSound = std::all_of(asked.begin(), asked.end(), [](double x) { return std::isfinite(x); });
+  SettlementMemo::Answer answer;
+  if (isSound && memo.find(asked, answer)) {
+    for (std::size_t p = 0; p < profiles_.size(); ++p) profiles_[p].weights = answer[p];
+    return;
+  }
+  settleAnew();
+  for (const Profile& profile : profiles_) answer.push_back(profile.weights);
+  if (isSound) memo.keep(asked, answer);
+}
+
+void ProfileSettlement::settleAnew() {
   for (const std::vector<int>& members : connectedProfiles()) {
     const auto serves = [&](const Allowance& allowance) { return settleWithin(members, allowance, false); };
     if (std::any_of(allowances_.begin(), allowances_.end(), serves)) continue;

@@ -37,7 +37,7 @@ class ProfileSettlement {
   int add(const Eigen::VectorXd& weights, const Eigen::MatrixXd& conditions, std::vector<double> places, bool parts);
   void share(const std::vector<int>& profiles);  ///< their sum is bounded
 
-  void settle();
+  void settle();  ///< what was settled before is remembered (SettlementMemo)
 
   const Eigen::VectorXd& weights(int profile) const { return profiles_[profile].weights; }
 
@@ -49,6 +49,8 @@ class ProfileSettlement {
     bool parts;
   };
 
+  std::vector<double> question() const;
+  void settleAnew();
   std::vector<std::vector<int>> connectedProfiles() const;
   bool settleWithin(const std::vector<int>& members, const Allowance& allowance, bool whateverBounds);
   static void widen(Profile& profile);

@@ -1,0 +1,65 @@
+#include "StudioStyle.h"
+
+#include <QPainter>
+#include <QStyleOptionComboBox>
+
+#include "Icons.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double cornerRadius = 3.5, arrowHalf = 3.5, arrowDepth = 3.5, arrowWidth = 1.5;  // pixels
+constexpr double ringWidth = 2.0;                                                          // pixels, with the focus
+
+QColor mixedColor(const QColor& a, const QColor& b, double share) {
+  return QColor::fromRgbF(a.redF() + share * (b.redF() - a.redF()), a.greenF() + share * (b.greenF() - a.greenF()),
+                          a.blueF() + share * (b.blueF() - a.blueF()));
+}
+
+/// The frame of a list that shows its choice; its text is drawn by itself.
+void drawListFrame(const QStyleOptionComboBox& option, const QRect& arrowArea, QPainter& painter) {
+  const bool isEnabled = option.state & QStyle::State_Enabled, hasFocus = option.state & QStyle::State_HasFocus;
+  const bool isUnder = isEnabled && (option.state & QStyle::State_MouseOver);
+  const QPalette& colors = option.palette;
+  const QColor accent = colors.color(QPalette::Highlight), line = colors.color(QPalette::Mid);
+  const double width = hasFocus ? ringWidth : 1.0;
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(hasFocus  ? mixedColor(accent, colors.color(QPalette::Text), 0.5)
+                      : isUnder ? accent
+                                : line,
+                      width));
+  painter.setBrush(colors.color(isEnabled ? QPalette::Base : QPalette::Window));
+  const double inset = 0.5 * width;
+  painter.drawRoundedRect(QRectF(option.rect).adjusted(inset, inset, -inset, -inset), cornerRadius, cornerRadius);
+  const QPointF middle = QRectF(arrowArea).center();
+  QPolygonF arrow;
+  arrow << middle + QPointF(-arrowHalf, -0.5 * arrowDepth) << middle + QPointF(0.0, 0.5 * arrowDepth)
+        << middle + QPointF(arrowHalf, -0.5 * arrowDepth);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colors.color(isEnabled ? QPalette::Active : QPalette::Disabled, QPalette::ButtonText), arrowWidth,
+                      Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.drawPolyline(arrow);
+  painter.restore();
+}
+
+}  // namespace
+
+StudioStyle::StudioStyle() : QProxyStyle("Fusion") {}
+
+void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                                     const QWidget* widget) const {
+  const auto* list = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+  if (control == CC_ComboBox && list && !list->editable)
+    return drawListFrame(*list, subControlRect(control, option, SC_ComboBoxArrow, widget), *painter);
+  QProxyStyle::drawComplexControl(control, option, painter, widget);
+}
+
+QIcon StudioStyle::standardIcon(StandardPixmap pixmap, const QStyleOption* option, const QWidget* widget) const {
+  if (pixmap == SP_TitleBarCloseButton) return icon(Symbol::Close);
+  if (pixmap == SP_TitleBarNormalButton) return icon(Symbol::Detach);
+  return QProxyStyle::standardIcon(pixmap, option, widget);
+}
+
+}  // namespace mien
