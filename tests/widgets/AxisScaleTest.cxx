@@ -24,6 +24,7 @@ TEST(AxisScale, NumbersHaveTheDecimalsTheirStepNeeds) {
   EXPECT_EQ(tickText(-1e-17, 0.1), "0.0");
   EXPECT_EQ(tickText(1e-6, 1e-6), "10⁻⁶");
   EXPECT_EQ(tickText(2e12, 1e12), "2·10¹²");
+  EXPECT_EQ(tickText(0.0, 1e-13), "0");
 }
 
 TEST(AxisScale, LinearTicksEndAtNiceNumbersAroundTheData) {

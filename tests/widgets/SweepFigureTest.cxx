@@ -49,6 +49,12 @@ TEST(SweepFigure, TheAxisOfAEndsSoonAfterTheLastBreakdown) {
   EXPECT_EQ(oneHolds.caption.find("end at twice"), std::string::npos);
 }
 
+TEST(SweepFigure, ValuesThatAreAllZeroLieOnTheAxis) {
+  const mien::Figure figure = mien::sweepFigure({record("spline", 1.0, 0.0), record("spline", 2.0, 0.0)}, {}, 1.0);
+  EXPECT_EQ(panel(figure, "Seam angle")->y.begin, 0.0);
+  EXPECT_EQ(panel(figure, "Folded cells")->y.begin, 0.0);
+}
+
 TEST(SweepFigure, ValuesOfAAreDrawnInTheirOrder) {
   const mien::Figure figure = mien::sweepFigure({record("spline", 5.0, 1.0), record("spline", 1.0, 2.0)}, {}, 1.0);
   EXPECT_EQ(figure.panels[0].series[0].x, (std::vector<double>{1.0, 5.0}));

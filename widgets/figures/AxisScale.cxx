@@ -138,6 +138,7 @@ std::vector<AxisTick> namedTicks(const std::vector<DecadePlace>& places, const N
 
 std::string tickText(double value, double step) {
   const double size = std::abs(value);
+  if (size < rounding * std::abs(step) && std::abs(step) < leastPlainNumber) return "0";
   if (size >= mostPlainNumber || (size > 0.0 && std::abs(step) < leastPlainNumber)) {
     const int power = static_cast<int>(std::floor(std::log10(size) + rounding));
     const double factor = value / std::pow(10.0, power);

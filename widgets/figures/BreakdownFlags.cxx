@@ -20,9 +20,10 @@ constexpr double stemDepth = 2.0, stemWidth = 0.5;  // pt
 }  // namespace
 
 double BreakdownFlags::height(const Chart& chart) {
-  const bool any = std::any_of(chart.series.begin(), chart.series.end(),
-                               [](const ChartSeries& series) { return series.breakdown.has_value(); });
-  return any ? figureUnitsFromPoints(lowest + (levels - 1) * step + room) : 0.0;
+  const auto count = std::count_if(chart.series.begin(), chart.series.end(),
+                                   [](const ChartSeries& series) { return series.breakdown.has_value(); });
+  const double stacked = std::min<double>(levels, count) - 1.0;
+  return count > 0 ? figureUnitsFromPoints(lowest + stacked * step + room) : 0.0;
 }
 
 void BreakdownFlags::paint(QPainter& painter, const QRectF& plot, const AxisScale& x) const {

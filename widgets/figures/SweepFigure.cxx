@@ -107,7 +107,7 @@ void limitAxis(Chart& chart, double room) {
       if (std::isfinite(value)) largest = std::max(largest, value);
   for (const double value : values) end = std::max(end, room * value);
   if (!values.empty()) values.push_back(std::min(end, largest));
-  if (largest == 0.0) chart.y.end = 1.0;
+  if (largest == 0.0) values = {0.0, 1.0};
   const AxisScale scale = AxisScale::around(chart.y, values, false);
   chart.y.begin = scale.begin();
   chart.y.end = scale.end();

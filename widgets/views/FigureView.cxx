@@ -17,7 +17,8 @@ namespace mien {
 namespace {
 
 constexpr double unitsPerPixel = figureUnitsPerPixel;
-constexpr double handle = 5.0;  // pixels
+constexpr double handle = 5.0;       // pixels
+constexpr double handleDepth = 9.0;  // pixels below the top of the plot, where the axis has its last number
 constexpr double markerPoints = 7.0;
 constexpr int veil = 170;  // of 255, over what does not count
 constexpr double wheelNotch = 120.0, notchZoom = 1.25;
@@ -136,17 +137,18 @@ void FigureView::paintMarker(QPainter& painter, const ChartPainter& panel) const
   painter.setPen(QPen(color, (hasFocus() ? 2.0 : 1.4) * unitsPerPixel));
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
   painter.setBrush(color);
-  painter.drawEllipse(QPointF(x, plot.top()), handle * unitsPerPixel, handle * unitsPerPixel);
-  paintMarkerName(painter, plot, x);
+  const QPointF top(x, plot.top() + handleDepth * unitsPerPixel);
+  painter.drawEllipse(top, handle * unitsPerPixel, handle * unitsPerPixel);
+  paintMarkerName(painter, plot, top);
 }
 
 /// On the side of the line that has more room, on a ground of its own: lines run below it.
-void FigureView::paintMarkerName(QPainter& painter, const QRectF& plot, double x) const {
+void FigureView::paintMarkerName(QPainter& painter, const QRectF& plot, const QPointF& beside) const {
   if (markerName_.isEmpty()) return;
   const QFont font = figureFont(markerPoints);
   const double gap = 2.0 * handle * unitsPerPixel, width = textWidth(font, markerName_), height = lineHeight(font);
-  const bool right = x < plot.center().x();
-  const QRectF place(right ? x + gap : x - gap - width, plot.top() - 0.2 * height, width, height);
+  const bool right = beside.x() < plot.center().x();
+  const QRectF place(right ? beside.x() + gap : beside.x() - gap - width, beside.y() - 0.5 * height, width, height);
   painter.fillRect(place, Theme::current().panel);
   painter.setFont(font);
   painter.drawText(place.bottomLeft() - QPointF(0.0, 0.2 * height), markerName_);

@@ -64,7 +64,7 @@ class FigureView : public QWidget {
   void paintFigure(QPainter& painter);
   void paintBand(QPainter& painter, const ChartPainter& panel) const;
   void paintMarker(QPainter& painter, const ChartPainter& panel) const;
-  void paintMarkerName(QPainter& painter, const QRectF& plot, double x) const;
+  void paintMarkerName(QPainter& painter, const QRectF& plot, const QPointF& beside) const;
 
   Figure figure_;
   Marker marker_;
