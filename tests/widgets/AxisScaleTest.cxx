@@ -121,4 +121,12 @@ TEST(AxisScale, BarsStandOnZero) {
   EXPECT_GT(AxisScale::around(ChartAxis(), {90.0, 100.0}, false).begin(), 0.0);
 }
 
+TEST(AxisScale, LargeNumbersCloseTogetherAreWritten) {
+  EXPECT_EQ(mien::tickText(1234567.0, 1.0), "1.234567·10⁶");
+  EXPECT_EQ(mien::tickText(250000.5, 1e-9).substr(0, 4), "2.50");
+  EXPECT_EQ(mien::tickText(3.0, 1e-7), "3.000000·10⁰");
+  EXPECT_EQ(mien::tickText(std::numeric_limits<double>::infinity(), 1.0), "");
+  EXPECT_EQ(mien::tickText(std::numeric_limits<double>::quiet_NaN(), 1.0), "");
+}
+
 }  // namespace

@@ -21,6 +21,8 @@
 namespace {
 
 constexpr int actions = 2000;
+constexpr int actionsDrawn =
+    4;  // of the window a picture is made after so many: without a graphics card it takes longest
 constexpr int mostPoints = 20000;  // of the mesh: a user who waits is not what is tried
 
 /// Of MIEN_RANDOM_SEED, for other walks than the usual one.
@@ -146,14 +148,18 @@ class RandomInput : public StudioFixture {
 TEST_F(RandomInput, TwoThousandClicksAndKeysLeaveAWindowThatWorks) {
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication::setActiveWindow(window.get());
+  window->resize(960, 660);  // in which buttons wait in panels as well
+  settle();
   Monkey monkey(*window);
   for (int i = 0; i < actions; ++i) {
     monkey.act();
     keepSmall();
+    window->setUpdatesEnabled(i % actionsDrawn == 0);
     settle();
     if (!window->isVisible()) window->show();  // it was closed
   }
   ASSERT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }));
+  window->setUpdatesEnabled(true);
   window->history().record();
   EXPECT_GT(window->history().count(), 50) << "it did something";
   find<QAction>("actionNeutral")->trigger();

@@ -134,20 +134,28 @@ std::vector<AxisTick> namedTicks(const std::vector<DecadePlace>& places, const N
   return ticks;
 }
 
+/// With the decimals that a step needs.
+std::string steppedText(double value, double step) {
+  int decimals = 0;
+  for (double unit = step; decimals < 6 && std::abs(unit - std::round(unit)) > 1e-6 * unit; unit *= 10.0) ++decimals;
+  return plainText(value, decimals);
+}
+
 }  // namespace
 
+/// What is before a power of ten is written as it is, however small the step: else large numbers close together would
+/// be taken apart for ever.
 std::string tickText(double value, double step) {
   const double size = std::abs(value);
+  if (!std::isfinite(value)) return {};
   if (size < rounding * std::abs(step) && std::abs(step) < leastPlainNumber) return "0";
   if (size >= mostPlainNumber || (size > 0.0 && std::abs(step) < leastPlainNumber)) {
     const int power = static_cast<int>(std::floor(std::log10(size) + rounding));
     const double factor = value / std::pow(10.0, power);
     if (std::abs(factor - 1.0) < rounding) return "10" + superscript(power);
-    return tickText(factor, std::max(step / std::pow(10.0, power), 1e-6)) + "·10" + superscript(power);
+    return steppedText(factor, std::max(step / std::pow(10.0, power), 1e-6)) + "·10" + superscript(power);
   }
-  int decimals = 0;
-  for (double unit = step; decimals < 6 && std::abs(unit - std::round(unit)) > 1e-6 * unit; unit *= 10.0) ++decimals;
-  return plainText(value, decimals);
+  return steppedText(value, step);
 }
 
 AxisScale AxisScale::around(const ChartAxis& axis, const std::vector<double>& values, bool withZero) {
