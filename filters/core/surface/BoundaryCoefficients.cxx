@@ -1,5 +1,6 @@
 #include "BoundaryCoefficients.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "RowProduct.h"
@@ -13,7 +14,7 @@ BoundaryCoefficients::BoundaryCoefficients(const HarmonicSplit& split, int curve
       analysis_(split.pointsPerCurve(), split.pointsPerCurve()),
       samples_(3 * curveCount, split.pointsPerCurve()),
       ofCurves_(3 * curveCount, split.pointsPerCurve()),
-      values_(3L * dataCount * split.pointsPerCurve() + rowProductPadding, 0.0) {
+      values_(Eigen::ArrayXd::Zero(3L * dataCount * split.pointsPerCurve() + rowProductPadding)) {
   samples_.setConstant(std::numeric_limits<double>::quiet_NaN());  // equal to nothing: the first curves are all new
   changed_.reserve(curveCount);
   const Eigen::MatrixXd analysis = split.analysis();
@@ -43,9 +44,13 @@ void BoundaryCoefficients::analyse(const DataRange& changed) {
              ofCurves_.row(first).data(), count);
   for (int j = 0; j < split_.count(); ++j) {
     const int columns = split_.coefficientCount(j);
+    const double* in = ofCurves_.row(first).data() + split_.firstCoefficient(j);
     double* out = part(j) + static_cast<long>(first) * columns;
-    for (int row = first; row < first + rows; ++row, out += columns)
-      Eigen::Map<Eigen::RowVectorXd>(out, columns) = ofCurves_.row(row).segment(split_.firstCoefficient(j), columns);
+    for (int row = 0; row < rows; ++row, in += count, out += columns) {
+      if (columns > 0) out[0] = in[0];
+      if (columns > 1) out[1] = in[1];  // most parts have two: a call would take longer
+      if (columns > 2) std::copy(in + 2, in + columns, out + 2);
+    }
   }
 }
 

@@ -33,7 +33,7 @@ class BoundaryCoefficients {
   /// The rows of part j, contiguous; rowProductPadding numbers behind them can be read.
   double* part(int part) { return values_.data() + firstValue(part); }
 
-  const std::vector<double>& values() const { return values_; }  ///< part by part
+  const Eigen::ArrayXd& values() const { return values_; }  ///< part by part
 
   /// Samples of the curves into coefficients, of those alone that are not what they were; no allocation.
   /// @return which curves changed: all of them the first time
@@ -49,7 +49,7 @@ class BoundaryCoefficients {
   AlignedRows<double> analysis_;  ///< samples x coefficients
   RowMajor<double> samples_;      ///< 3 curves x samples
   RowMajor<double> ofCurves_;     ///< 3 curves x coefficients
-  std::vector<double> values_;
+  Eigen::ArrayXd values_;
   std::vector<DataRange> changed_;
 };
 

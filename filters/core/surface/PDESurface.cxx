@@ -64,7 +64,7 @@ void PDESurface<Scalar>::setCurves(const ClosedCurves& curves) {
   const std::vector<DataRange>& changed = coefficients_->setCurves(curves);
   if (changed.empty()) return;
   data_.derive(*coefficients_);
-  rounded_.assign(coefficients_->values().begin(), coefficients_->values().end());
+  rounded_ = coefficients_->values().template cast<Scalar>();
   for (const DataRange& range : changed) {
     std::fill_n(changes_.begin() + range.first, range.count(), version_);
     update(range);

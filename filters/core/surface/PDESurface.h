@@ -83,9 +83,9 @@ class PDESurface {
   int columnCount_, rowCount_ = 0;
   std::vector<Block> u_;
   std::unique_ptr<BoundaryCoefficients> coefficients_;
-  std::vector<Scalar> rounded_;                ///< the coefficients
-  std::vector<BoundaryField<Scalar>> fields_;  ///< by order of the derivative
-  std::vector<AlignedRows<Scalar>> b_;         ///< by order of the derivative: B, where there is one strip only
+  Eigen::Array<Scalar, Eigen::Dynamic, 1> rounded_;  ///< the coefficients
+  std::vector<BoundaryField<Scalar>> fields_;        ///< by order of the derivative
+  std::vector<AlignedRows<Scalar>> b_;               ///< by order of the derivative: B, where there is one strip only
   long version_ = 0;
   std::vector<long> changes_;  ///< by datum: the version that changed it
   std::string fault_;
