@@ -21,6 +21,7 @@ class ReusedArrays {
 
   static constexpr long noVersion = -1;
 
+  /// An array to be written, and what it holds before.
   struct Taken {
     Array array;
     long version = noVersion;  ///< that its numbers are; with noVersion they are anything

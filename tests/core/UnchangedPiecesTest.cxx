@@ -64,7 +64,9 @@ TEST_P(UnchangedPieces, ASurfaceOfManyChangesIsThatOfTheLastCurves) {
     whole.show(other);
     ASSERT_EQ(kept.s, whole.s) << step;
     ASSERT_EQ(kept.normals, whole.normals) << step;
-    if (step % 3 == 0) ASSERT_EQ(seldom.s, whole.s) << step << ": three versions at once";
+    if (step % 3 == 0) {
+      ASSERT_EQ(seldom.s, whole.s) << step << ": three versions at once";
+    }
   }
 }
 
@@ -83,7 +85,9 @@ TEST_P(UnchangedPieces, PiecesWithoutAChangeAreLeftAlone) {
   untouched.show(surface, before);
   const int lastPatch = 55 - 6, changed = static_cast<int>(untouched.s.row(55).array().isNaN().count());
   EXPECT_EQ(changed, 0) << "the last curve's row";
-  if (std::string(scheme) != "spline") EXPECT_TRUE(untouched.s.topRows(lastPatch - 1).array().isNaN().all());
+  if (std::string(scheme) != "spline") {
+    EXPECT_TRUE(untouched.s.topRows(lastPatch - 1).array().isNaN().all());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, UnchangedPieces,

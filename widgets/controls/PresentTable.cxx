@@ -52,7 +52,11 @@ PresentTable::Fit fitBetween(vtkStructuredGrid* before, vtkStructuredGrid* after
   return fit;
 }
 
-/// A copy of its own for another thread.
+/// Copies for another thread, which alone refers to them (BackgroundTask).
+struct Grids {
+  vtkSmartPointer<vtkStructuredGrid> before, after;
+};
+
 vtkSmartPointer<vtkStructuredGrid> copyOf(vtkStructuredGrid* grid) {
   auto copy = vtkSmartPointer<vtkStructuredGrid>::New();
   copy->DeepCopy(grid);
@@ -141,9 +145,11 @@ void PresentTable::request() {
     emit changed();
     return;
   }
-  const auto before = copyOf(neutral_.grid()), after = copyOf(model_->pipeline().grid());
-  const auto work = [this, before, after](const BackgroundTask::Progress&) -> std::function<void()> {
-    const auto fit = std::make_shared<Fit>(fitBetween(before, after));
+  const auto grids = std::make_shared<Grids>();
+  grids->before = copyOf(neutral_.grid());
+  grids->after = copyOf(model_->pipeline().grid());
+  const auto work = [this, grids](const BackgroundTask::Progress&) -> std::function<void()> {
+    const auto fit = std::make_shared<Fit>(fitBetween(grids->before, grids->after));
     return [this, fit] {
       fit_ = *fit;
       emit changed();

@@ -9,6 +9,9 @@ namespace mien {
 
 /// One piece of work at a time off the GUI thread: with progress, cancelled at any time, and harmless when its owner
 /// goes away.
+///
+/// VTK data that work takes along go into one std::shared_ptr: to let go of a data object of one's own is to walk all
+/// that it leads to (vtkGarbageCollector), the filters of the other thread among them.
 class BackgroundTask : public QObject {
   Q_OBJECT
  public:

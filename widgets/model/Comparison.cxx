@@ -244,10 +244,10 @@ bool Comparison::measureCounterparts(const Surfaces& surfaces) {
 
 /// The thread has copies: the pipelines and the views go on using their own.
 void Comparison::measureNearest(const Surfaces& surfaces) {
-  Surfaces copies;
+  const auto copies = std::make_shared<Surfaces>();  // which the thread alone refers to (BackgroundTask)
   for (int side = 0; side < 2; ++side) {
-    copies[side] = vtkSmartPointer<vtkPolyData>::New();
-    copies[side]->DeepCopy(surfaces[side]);
+    (*copies)[side] = vtkSmartPointer<vtkPolyData>::New();
+    (*copies)[side]->DeepCopy(surfaces[side]);
   }
   task_->start(
       [this, copies](const BackgroundTask::Progress& goOn) -> std::function<void()> {
@@ -255,8 +255,8 @@ void Comparison::measureNearest(const Surfaces& surfaces) {
         vtkNew<vtkSurfaceDistanceFilter> filter;
         PipelineErrors errors;
         errors.observe(filter);
-        filter->SetInputData(copies[0]);
-        filter->SetReferenceData(copies[1]);
+        filter->SetInputData((*copies)[0]);
+        filter->SetReferenceData((*copies)[1]);
         filter->GenerateVectorsOn();
         updateWith(goOn, filter);
         distances->fault = errors.first();

@@ -6,6 +6,7 @@
 #include <vtkSurfaceDistanceFilter.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "BackgroundTask.h"
 #include "FaceModel.h"
@@ -19,6 +20,11 @@ namespace mien {
 namespace {
 
 constexpr double leastRange = 0.5;  // mm: what two fits of one curve differ by is not stretched over the colours
+
+/// For another thread, which alone refers to them (BackgroundTask).
+struct Copies {
+  vtkNew<vtkPolyData> face, scan;
+};
 
 }  // namespace
 
@@ -88,16 +94,16 @@ void DistanceMap::follow() {
     emit changed();
     return;
   }
-  auto face = vtkSmartPointer<vtkPolyData>::New(), scan = vtkSmartPointer<vtkPolyData>::New();
+  const auto copies = std::make_shared<Copies>();
   vtkNew<vtkReverseSense> outwards;  // where its normals point already; else it is lit from behind
   outwards->SetInputConnection(model_->pipeline().surface()->GetOutputPort());
   outwards->Update();
-  face->DeepCopy(outwards->GetOutput());
-  scan->DeepCopy(scan_);
+  copies->face->DeepCopy(outwards->GetOutput());
+  copies->scan->DeepCopy(scan_);
   const int direction = subject_ == Subject::Face ? 0 : 1;
   task_->start(
-      [this, face, scan, direction, frontal = frontal_](const BackgroundTask::Progress& goOn) -> std::function<void()> {
-        const Measured measured = measure(face, scan, frontal, direction, goOn);
+      [this, copies, direction, frontal = frontal_](const BackgroundTask::Progress& goOn) -> std::function<void()> {
+        const Measured measured = measure(copies->face, copies->scan, frontal, direction, goOn);
         return [this, measured] { take(measured); };
       },
       BackgroundTask::Before::Finishes);
