@@ -29,9 +29,9 @@ using json = nlohmann::json;
 
 constexpr const char* kindNames[] = {"none", "state", "scheme", "mesh"};
 
-QString wayText(const QString& way, const DistanceSummary& summary) {
-  return Comparison::tr("%1: RMS %2 mm, 95 % %3 mm, max %4 mm")
-      .arg(way)
+/// First, so that they stay where words have no room.
+QString numbersText(const DistanceSummary& summary) {
+  return Comparison::tr("RMS %1, 95 % %2, max %3 mm")
       .arg(summary.rms, 0, 'f', 2)
       .arg(summary.percentile95, 0, 'f', 2)
       .arg(summary.maximum, 0, 'f', 2);
@@ -75,7 +75,7 @@ DistanceSummary summaryOf(vtkPolyData* surface) {
 struct Comparison::Distances {
   Surfaces surfaces;
   std::array<DistanceSummary, 2> summaries;
-  bool corresponds = false;
+  bool corresponds = false, covered = false;  ///< whether the summaries are of what lies opposite the other alone
   std::string fault;
 };
 
@@ -121,8 +121,14 @@ bool Comparison::corresponds() const {
 
 QString Comparison::summary(Side side) const {
   if (!distances_) return {};
-  const QString way = corresponds() ? tr("Point to point") : side == Side::A ? tr("A to B") : tr("B to A");
-  return wayText(way, distances_->summaries[static_cast<int>(side)]);
+  const int index = static_cast<int>(side);
+  const DistanceSummary& summary = distances_->summaries[index];
+  const QString numbers = numbersText(summary);
+  if (corresponds()) return numbers + (side == Side::A ? tr(", point to point, by area of A") : tr(", by area of B"));
+  const QString text = numbers + (side == Side::A ? tr(", A to B") : tr(", B to A"));
+  if (!distances_->covered) return text;
+  const vtkIdType all = distances_->surfaces[index]->GetNumberOfPoints();
+  return text + tr(", %1 % opposite").arg(100.0 * summary.points / std::max<vtkIdType>(1, all), 0, 'f', 0);
 }
 
 void Comparison::take(Kind kind) {
@@ -242,6 +248,28 @@ bool Comparison::measureCounterparts(const Surfaces& surfaces) {
   return true;
 }
 
+/// A scan has a neck and a crown that no face reaches: with `covered` the numbers leave them out, which is impossible
+/// where nothing of one lies opposite the other.
+Comparison::Distances Comparison::nearest(const Surfaces& surfaces, bool covered,
+                                          const std::function<bool(double)>& goOn) {
+  Distances distances;
+  distances.covered = covered;
+  vtkNew<vtkSurfaceDistanceFilter> filter;
+  PipelineErrors errors;
+  errors.observe(filter);
+  filter->SetInputData(surfaces[0]);
+  filter->SetReferenceData(surfaces[1]);
+  filter->GenerateVectorsOn();
+  filter->SetCoveredOnly(covered);
+  updateWith(goOn, filter);
+  distances.fault = errors.first();
+  for (int side = 0; side < 2 && distances.fault.empty(); ++side) {
+    distances.surfaces[side] = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(side));
+    distances.summaries[side] = filter->GetSummary(side);
+  }
+  return distances;
+}
+
 /// The thread has copies: the pipelines and the views go on using their own.
 void Comparison::measureNearest(const Surfaces& surfaces) {
   const auto copies = std::make_shared<Surfaces>();  // which the thread alone refers to (BackgroundTask)
@@ -250,20 +278,10 @@ void Comparison::measureNearest(const Surfaces& surfaces) {
     (*copies)[side]->DeepCopy(surfaces[side]);
   }
   task_->start(
-      [this, copies](const BackgroundTask::Progress& goOn) -> std::function<void()> {
+      [this, copies, isMesh = kind_ == Kind::Mesh](const BackgroundTask::Progress& goOn) -> std::function<void()> {
         const auto distances = std::make_shared<Distances>();
-        vtkNew<vtkSurfaceDistanceFilter> filter;
-        PipelineErrors errors;
-        errors.observe(filter);
-        filter->SetInputData((*copies)[0]);
-        filter->SetReferenceData((*copies)[1]);
-        filter->GenerateVectorsOn();
-        updateWith(goOn, filter);
-        distances->fault = errors.first();
-        for (int side = 0; side < 2 && distances->fault.empty(); ++side) {
-          distances->surfaces[side] = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(side));
-          distances->summaries[side] = filter->GetSummary(side);
-        }
+        if (isMesh) *distances = nearest(*copies, true, goOn);
+        if (!isMesh || !distances->fault.empty()) *distances = nearest(*copies, false, goOn);
         return [this, distances] { deliver(*distances); };
       },
       BackgroundTask::Before::Finishes);

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QString>
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -49,7 +50,8 @@ class Comparison : public QObject, public SessionPart {
   vtkPolyData* mesh() const;              ///< of a file, with normals; nullptr: B is a face
   vtkPolyData* surface(Side side) const;  ///< a side's surface with the arrays; nullptr until it is measured
   bool corresponds() const;               ///< whether it was measured from each point to its counterpart
-  QString summary(Side side) const;       ///< RMS, 95 % and largest from that side to the other, in words
+  QString summary(Side side) const;       ///< RMS, 95 % and largest from that side to the other, in words; to a
+                                          ///< mesh of what lies opposite, and how much that is
 
   /// {"kind": "none" | "state" | "scheme" | "mesh", "state": {..}, "scheme": "..", "file": ".."}, with the FaceState as
   /// FaceStateText writes it.
@@ -69,6 +71,7 @@ class Comparison : public QObject, public SessionPart {
   void follow();
   void measure();
   bool measureCounterparts(const Surfaces& surfaces);
+  static Distances nearest(const Surfaces& surfaces, bool covered, const std::function<bool(double)>& goOn);
   void measureNearest(const Surfaces& surfaces);
   void deliver(const Distances& distances);
   Surfaces present() const;

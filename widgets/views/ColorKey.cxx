@@ -24,6 +24,14 @@ QString patchText(int patch) {
       .arg(QString::fromStdString(FaceLayout::curveName(first)), QString::fromStdString(FaceLayout::curveName(last)));
 }
 
+/// The unit stays, whatever else has no room.
+QString shortened(const QString& title, const QFontMetrics& metrics, int most) {
+  const int unit = title.lastIndexOf(" (");
+  if (metrics.horizontalAdvance(title) <= most || unit < 0) return metrics.elidedText(title, Qt::ElideRight, most);
+  const QString end = title.mid(unit);
+  return metrics.elidedText(title.left(unit), Qt::ElideRight, std::max(0, most - metrics.horizontalAdvance(end))) + end;
+}
+
 }  // namespace
 
 ColorKey::ColorKey(QWidget* parent) : QWidget(parent) {
@@ -77,7 +85,7 @@ void ColorKey::paintScale(QPainter& painter) const {
   const QFontMetrics metrics = fontMetrics();
   const int room = metrics.horizontalAdvance("-0.0005") / 2;  // numbers stand under the ends of the bar
   const int most = std::max(0, width() - 2 * keySide - keyGap - leastBar - 2 * room);
-  const QString title = metrics.elidedText(scale_.title, Qt::ElideRight, most);
+  const QString title = shortened(scale_.title, metrics, most);
   const int left = keySide + metrics.horizontalAdvance(title) + keyGap + room;
   const QRectF bar(left, keyAbove, std::max(leastBar, width() - keySide - room - left), keyBarHeight);
   QLinearGradient colors(bar.topLeft(), bar.topRight());

@@ -19,7 +19,7 @@
 #include <optional>
 
 #include "FaceModel.h"
-#include "MotionReach.h"
+#include "FaceOutline.h"
 #include "OwnKeys.h"
 #include "Theme.h"
 
@@ -29,9 +29,7 @@ namespace {
 
 constexpr double keyTurn = 5.0, keyZoom = 1.1;  // degrees and factor of a key
 constexpr double viewAngle = 14.0;              // degrees: a portrait lens, nearly parallel
-constexpr double viewMargin = 0.075;            // of the face's extent, around it at rest; its near parts look larger
-constexpr double thinMargin = 0.03;             // around all that it reaches
-constexpr double mostReach = 0.6;               // values beyond all sense must not make a face a dot
+constexpr int settlingRounds = 3;
 
 double degrees(RenderView::Side side) {
   return side == RenderView::Side::Front ? 0.0 : side == RenderView::Side::FortyFive ? 45.0 : 90.0;
@@ -49,66 +47,6 @@ std::optional<std::array<double, 3>> vectorIn(const nlohmann::json& state, const
   for (const auto& value : *list)
     if (!value.is_number()) return {};
   return list->get<std::array<double, 3>>();
-}
-
-/// Of a camera that looks at one side of the face.
-struct Axes {
-  double right[3], up[3] = {0.0, 1.0, 0.0}, out[3];
-
-  explicit Axes(RenderView::Side side) {
-    const double turn = degrees(side) * M_PI / 180.0;
-    right[0] = out[2] = std::cos(turn);
-    right[1] = out[1] = 0.0;
-    out[0] = std::sin(turn);
-    right[2] = -out[0];
-  }
-};
-
-/// The extent of the face along those axes, in mm.
-struct Outline {
-  double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300};
-
-  void add(int axis, double at) {
-    low[axis] = std::min(low[axis], at);
-    high[axis] = std::max(high[axis], at);
-  }
-  double size(int axis) const { return high[axis] - low[axis]; }
-  double middle(int axis) const { return 0.5 * (low[axis] + high[axis]); }
-};
-
-void add(const Axes& axes, const double point[3], Outline& outline) {
-  outline.add(0, vtkMath::Dot(axes.right, point));
-  outline.add(1, vtkMath::Dot(axes.up, point));
-  outline.add(2, vtkMath::Dot(axes.out, point));
-}
-
-/// What the view must hold: the face at rest with room around it, and all that it reaches while it moves.
-Outline outlineFrom(RenderView::Side side, const FaceModel& model) {
-  const Axes axes(side);
-  Outline rest, reach;
-  vtkPolyData* curves = model.pipeline().neutralCurves()->GetOutput();
-  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i) add(axes, curves->GetPoint(i), rest);
-  for (const MotionReach::Point& point : model.reach().points()) add(axes, point.data(), reach);
-  for (int axis : {0, 1}) {
-    const double size = rest.size(axis), room = viewMargin * size, most = mostReach * size;
-    const double below = rest.low[axis] - reach.low[axis] + thinMargin * size;
-    const double beyond = reach.high[axis] - rest.high[axis] + thinMargin * size;
-    rest.low[axis] -= std::clamp(below, room, most);
-    rest.high[axis] += std::clamp(beyond, room, most);
-  }
-  return rest;
-}
-
-/// A box with a little room around it.
-void add(const Axes& axes, const std::array<double, 6>& box, Outline& outline) {
-  for (int corner = 0; corner < 8; ++corner) {
-    double point[3];
-    for (int i = 0; i < 3; ++i) {
-      const double room = thinMargin * (box[2 * i + 1] - box[2 * i]);
-      point[i] = corner >> i & 1 ? box[2 * i + 1] + room : box[2 * i] - room;
-    }
-    add(axes, point, outline);
-  }
 }
 
 vtkSmartPointer<vtkLight> cameraLight(double x, double y, double z, double intensity, double warmth) {
@@ -231,19 +169,33 @@ const RenderView& RenderView::leader() const {
   return leader_ ? leader_->leader() : *this;
 }
 
+/// The distance decides how large near points look, and they decide the distance: it settles in few rounds.
+std::array<double, 4> RenderView::fittingBox() const {
+  const FaceModel& face = *leader().model_;
+  const ViewAxes axes(degrees(side_));
+  FaceOutline outline = restingOutline(axes, face);
+  for (int round = 0; round < settlingRounds; ++round)
+    outline = outlineOf(axes, face, outline, distanceTo(outline.size(0), outline.size(1)));
+  return {outline.low[0], outline.high[0], outline.low[1], outline.high[1]};
+}
+
 double RenderView::fittingDistance() const {
-  const Outline outline = outlineFrom(side_, *leader().model_);
-  return distanceTo(outline.size(0), outline.size(1));
+  const auto [left, right, low, high] = fittingBox();
+  return distanceTo(right - left, high - low);
 }
 
 /// In depth the camera keeps to the face, whatever is shown with it. Linked views are of one scale, whatever each
 /// shows.
 void RenderView::placeCamera() {
   const RenderView& lead = leader();
-  Outline outline = outlineFrom(side_, *lead.model_);
-  const Axes axes(side_);
+  const ViewAxes axes(degrees(side_));
+  FaceOutline outline = restingOutline(axes, *lead.model_);
   const double depth = outline.middle(2);
-  if (lead.company_) add(axes, *lead.company_, outline);
+  const auto [left, right, low, high] = fittingBox();
+  outline.add(0, left), outline.add(0, right);
+  outline.add(1, low), outline.add(1, high);
+  for (const RenderView* view : std::initializer_list<const RenderView*>{&lead, lead.twin_})
+    if (view && view->company_) outline.add(axes, *view->company_);
   const double distance = distanceTo(outline.size(0), outline.size(1));
   double focus[3], position[3];
   for (int i = 0; i < 3; ++i) {

@@ -37,7 +37,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   void placeCamera(const std::array<double, 3>& focus, const std::array<double, 3>& direction, double distance);
   void fit();  ///< the side looked from last, the whole face in the view, and what is shown with it
 
-  /// What else the camera takes in the next time it is placed; nullptr: the face alone.
+  /// What else the camera takes in the next time it is placed, and that of its twin; nullptr: the face alone.
   /// @param bounds  x, y, z from and to, in mm
   void setCompany(const double* bounds);
 
@@ -79,8 +79,9 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   bool pressKey(int key);
   void placeCamera();
   void followReach();
-  const RenderView& leader() const;  ///< of those that are linked; itself where none is
-  double fittingDistance() const;    ///< from which the whole face fills this view
+  const RenderView& leader() const;          ///< of those that are linked; itself where none is
+  std::array<double, 4> fittingBox() const;  ///< left, right, low, high of the whole face, mm
+  double fittingDistance() const;            ///< from which the whole face fills this view
   double distanceTo(double width, double height) const;
   bool hasTwin() const;
   void takeCamera(const RenderView* other);

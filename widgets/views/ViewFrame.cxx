@@ -12,9 +12,9 @@ namespace mien {
 
 namespace {
 
-constexpr int gap = 6;          // pixels between groups of buttons
-constexpr int edge = 1;         // pixels, of the frame's line
-constexpr int shortTitle = 48;  // pixels that a long title has in any case
+constexpr int gap = 6;             // pixels between groups of buttons
+constexpr int edge = 1;            // pixels, of the frame's line
+constexpr int longestTitle = 210;  // pixels that a title has before any button; a longer one ends in dots
 
 }  // namespace
 
@@ -36,7 +36,14 @@ ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
 
 void ViewFrame::setTitle(const QString& title) {
   name_->setText(title);
-  name_->setMinimumWidth(std::min(shortTitle, name_->sizeHint().width()));
+  name_->ensurePolished();  // headings are bold
+  name_->setMinimumWidth(std::min(longestTitle, name_->sizeHint().width()));
+}
+
+/// With the font of the window that it has come into.
+void ViewFrame::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  setTitle(name_->text());
 }
 
 QToolButton* ViewFrame::addButton(const QString& objectName, const QString& text, const QString& toolTip) {
@@ -61,7 +68,7 @@ void ViewFrame::addBelow(QWidget* widget) {
 }
 
 void ViewFrame::addControl(QWidget* control) {
-  header_->addWidget(control);
+  header_->addWidget(control, ++controls_);
 }
 
 void ViewFrame::addGap() {

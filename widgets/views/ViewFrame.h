@@ -9,7 +9,8 @@ namespace mien {
 class ElidedLabel;
 class OverflowRow;
 
-/// A view with its title and its buttons above it; where there is no room for all, the last of them wait behind "more".
+/// A view with its title and its buttons above it; the title has its width first, and where there is no room for all,
+/// the last of the buttons wait behind "more".
 class ViewFrame : public QFrame {
   Q_OBJECT
  public:
@@ -18,9 +19,12 @@ class ViewFrame : public QFrame {
   void setTitle(const QString& title);
   QToolButton* addButton(const QString& objectName, const QString& text, const QString& toolTip);
   QToolButton* addToggle(const QString& objectName, const QString& text, const QString& toolTip, bool on);
-  void addControl(QWidget* control);  ///< in the head, after what is there; it never leaves it
+  void addControl(QWidget* control);  ///< in the head, after what is there
   void addGap();
   void addBelow(QWidget* widget);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
 
  private:
   OverflowRow* header_;

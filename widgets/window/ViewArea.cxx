@@ -177,7 +177,9 @@ void ViewArea::addSummary(ViewFrame* frame) {
   summary->setContentsMargins(summaryMargin, 0, summaryMargin, summaryMargin / 2);
   summary->setToolTip(
       tr("How far A and B lie apart, weighted with area: from point to point where they have the same mesh, else from "
-         "each point to the nearest of the other surface"));
+         "each point to the nearest of the other surface; of a mesh or scan only the share of the points that lies "
+         "opposite "
+         "the other counts, not a neck, if there is such a share"));
   frame->addBelow(summary);
   summaries_.push_back(summary);
 }
@@ -212,7 +214,17 @@ void ViewArea::followComparison() {
   }
   showCurves();
   showDifference();
+  holdMesh();
   arrange();
+}
+
+/// A head is whole beside the face, both at one scale.
+void ViewArea::holdMesh() {
+  if (!other_ || (!comparison_->mesh() && !holdsMesh_)) return;
+  holdsMesh_ = comparison_->mesh() != nullptr;
+  other_->setCompany(holdsMesh_ ? comparison_->mesh()->GetBounds() : nullptr);
+  if (!face_->isMoved()) face_->fit();
+  if (!other_->isLinked() && !other_->isMoved()) other_->fit();
 }
 
 /// A mesh has no curves.

@@ -59,6 +59,7 @@ class ViewArea : public QWidget {
   void addOtherButtons();
   void addSummary(ViewFrame* frame);
   void followComparison();
+  void holdMesh();
   void showCurves();
   void showDifference();
   void arrange();
@@ -83,7 +84,7 @@ class ViewArea : public QWidget {
   QComboBox* mesh_;
   QSplitter* splitter_;
   QToolButton* swap_ = nullptr;
-  bool curvesOn_ = false, namesOn_ = false;
+  bool curvesOn_ = false, namesOn_ = false, holdsMesh_ = false;
 };
 
 }  // namespace mien

@@ -1,0 +1,156 @@
+#include <vtkAppendPolyData.h>
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkPlaneSource.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <QComboBox>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <algorithm>
+#include <array>
+
+#include "Comparison.h"
+#include "ElidedLabel.h"
+#include "FaceModel.h"
+#include "FaceView.h"
+#include "StudioFixture.h"
+#include "ViewArea.h"
+
+namespace {
+
+using mien::FaceState;
+
+class ViewFit : public StudioFixture {
+ protected:
+  /// The lowest and highest y, and the largest |x|, of what a view shows of a surface, from -1 to 1 within it.
+  static std::array<double, 3> seen(mien::RenderView* view, vtkPolyData* surface) {
+    const double aspect = static_cast<double>(view->width()) / view->height();
+    vtkMatrix4x4* matrix = view->camera()->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+    std::array<double, 3> ends = {1e9, -1e9, 0.0};
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+      double point[4] = {0.0, 0.0, 0.0, 1.0}, projected[4];
+      surface->GetPoint(i, point);
+      matrix->MultiplyPoint(point, projected);
+      ends[0] = std::min(ends[0], projected[1] / projected[3]);
+      ends[1] = std::max(ends[1], projected[1] / projected[3]);
+      ends[2] = std::max(ends[2], std::abs(projected[0] / projected[3]));
+    }
+    return ends;
+  }
+  double distance(const char* view) { return find<mien::RenderView>(view)->camera()->GetDistance(); }
+  void expectWhole(const std::string& what) {
+    for (const char* name : {"faceView", "curveView"}) {
+      const auto [low, high, aside] = seen(find<mien::RenderView>(name), surface());
+      EXPECT_GT(low, -0.98) << name << ", " << what;
+      EXPECT_LT(high, 0.98) << name << ", " << what;
+      EXPECT_LT(aside, 0.98) << name << ", " << what;
+    }
+  }
+  double chin() { return surface()->GetBounds()[2]; }
+  void compareScheme(const char* scheme) {
+    find<mien::ViewArea>("viewArea")->comparison()->compareScheme(scheme);
+    settle();
+  }
+  QStringList cutTitles() {
+    QStringList cut;
+    for (auto* label : find<QWidget>("viewArea")->findChildren<mien::ElidedLabel*>())
+      if (label->isVisible() && label->property("heading").toBool() && label->shownText() != label->text())
+        cut << label->shownText() + " of " + label->text();
+    return cut;
+  }
+};
+
+/// Expressions never move the camera; the jaw as far as its slider goes moves it once, and is whole.
+TEST_F(ViewFit, TheOpenJawIsWithinBothViews) {
+  const double height = surface()->GetBounds()[3] - surface()->GetBounds()[2], atRest = chin();
+  const double face = distance("faceView"), curves = distance("curveView");
+  for (const char* expression : {"joy", "sadness", "anger", "fear", "disgust", "surprise"}) {
+    window->model().change([&](FaceState& state) { state.expressions = {{expression, 1.0}}; });
+    settle();
+    expectWhole(expression);
+    EXPECT_EQ(distance("faceView"), face) << expression;
+    EXPECT_EQ(distance("curveView"), curves) << expression;
+    EXPECT_LT((atRest - chin()) / height, 0.10) << expression;
+    fprintf(stderr, "CHIN %s %g\n", expression, (atRest - chin()) / height);
+  }
+  window->model().change([](FaceState& state) {
+    state.expressions.clear();
+    state.fapValues[3] = 1024;
+  });
+  settle();
+  expectWhole("FAP 3");
+  RecordProperty("jawShare", std::to_string((atRest - chin()) / height));
+  fprintf(stderr, "JAW %g\n", (atRest - chin()) / height);
+  EXPECT_GT((atRest - chin()) / height, 0.05);
+  for (const char* side : {"lookFortyFive", "lookSide", "lookReset"}) {
+    find<QToolButton>(side)->click();
+    settle();
+    expectWhole(side);
+  }
+}
+
+TEST_F(ViewFit, TheFaceAtRestIsNotSmall) {
+  const auto [low, high, aside] = seen(find<mien::RenderView>("faceView"), surface());
+  EXPECT_TRUE(high - low > 2.0 * 0.75 || aside > 0.8) << low << " " << high << " " << aside;
+}
+
+/// Titles say which is which: buttons leave first. Numbers keep their unit.
+TEST_F(ViewFit, TitlesAndNumbersAreWhole) {
+  for (const QSize size : {QSize(1280, 800), QSize(1000, 700)}) {
+    window->resize(size);
+    settle();
+    EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
+    compareScheme("tangent");
+    EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
+    for (const char* name : {"compareSummaryA", "compareSummaryB"}) {
+      const QString shown = find<mien::ElidedLabel>(name)->shownText();
+      EXPECT_TRUE(shown.contains(QRegularExpression("^RMS [0-9.]+, 95 % [0-9.]+, max [0-9.]+ mm")))
+          << shown.toStdString();
+    }
+    find<mien::ViewArea>("viewArea")->comparison()->clear();
+    settle();
+  }
+}
+
+/// A mesh that reaches further than the face is whole, at the scale of A; the numbers are of what lies opposite.
+TEST_F(ViewFit, AHeadIsWholeAndItsNeckIsNotCounted) {
+  vtkNew<vtkPlaneSource> neck;
+  neck->SetOrigin(-60.0, chin() - 90.0, 0.0);
+  neck->SetPoint1(60.0, chin() - 90.0, 0.0);
+  neck->SetPoint2(-60.0, chin() - 20.0, 0.0);
+  neck->SetResolution(20, 20);
+  neck->Update();
+  vtkNew<vtkPolyData> face;
+  face->CopyStructure(surface());
+  vtkNew<vtkAppendPolyData> head;
+  head->AddInputData(face);
+  head->AddInputData(neck->GetOutput());
+  QTemporaryDir folder;
+  const QString file = folder.filePath("subject01_neutral.vtp");
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetFileName(file.toUtf8().constData());
+  writer->SetInputConnection(head->GetOutputPort());
+  ASSERT_TRUE(writer->Write());
+  auto* comparison = find<mien::ViewArea>("viewArea")->comparison();
+  ASSERT_TRUE(comparison->openMesh(file));
+  ASSERT_TRUE(waitUntil([&] { return comparison->surface(mien::Comparison::Side::B) != nullptr; }));
+  settle();
+  const auto [low, high, aside] = seen(find<mien::RenderView>("otherFaceView"), comparison->mesh());
+  EXPECT_GT(low, -1.0);
+  EXPECT_LT(high, 1.0);
+  EXPECT_LT(aside, 1.0);
+  EXPECT_EQ(distance("otherFaceView"), distance("faceView"));
+  const QString summary = comparison->summary(mien::Comparison::Side::B);
+  EXPECT_TRUE(summary.startsWith("RMS 0.00, 95 % 0.00, max 0.00 mm, B to A, ")) << summary.toStdString();
+  EXPECT_TRUE(summary.endsWith(" % opposite")) << summary.toStdString();
+  EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
+  const double withHead = distance("faceView");
+  comparison->clear();
+  settle();
+  EXPECT_LT(distance("faceView"), withHead);
+}
+
+}  // namespace

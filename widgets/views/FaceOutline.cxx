@@ -1,0 +1,81 @@
+#include "FaceOutline.h"
+
+#include <vtkBoundaryCurveReader.h>
+#include <vtkMath.h>
+#include <vtkPolyData.h>
+
+#include <cmath>
+
+#include "FaceModel.h"
+#include "MotionReach.h"
+
+namespace mien {
+
+namespace {
+
+constexpr double viewMargin = 0.075;  // of the face's extent, around it at rest; its near parts look larger
+constexpr double jawRoom = 0.17;      // below it, of its height: for the chin of every expression
+constexpr double thinMargin = 0.03;   // around all that it reaches
+constexpr double nearestShare = 0.5;  // of the distance: what comes nearer is not magnified further
+constexpr double mostReach = 0.6;     // values beyond all sense must not make a face a dot
+
+/// Where it is seen in the plane through the middle of the outline: what is nearer looks larger.
+void addSeen(const ViewAxes& axes, const double point[3], const FaceOutline& middle, double distance,
+             FaceOutline& outline) {
+  const double nearer = vtkMath::Dot(axes.out, point) - middle.middle(2);
+  const double scale = distance / std::max(nearestShare * distance, distance - nearer);
+  const double* directions[] = {axes.right, axes.up};
+  for (int axis : {0, 1}) {
+    const double centre = middle.middle(axis);
+    outline.add(axis, centre + scale * (vtkMath::Dot(directions[axis], point) - centre));
+  }
+}
+
+}  // namespace
+
+ViewAxes::ViewAxes(double degrees) {
+  const double turn = degrees * M_PI / 180.0;
+  right[0] = out[2] = std::cos(turn);
+  right[1] = out[1] = 0.0;
+  out[0] = std::sin(turn);
+  right[2] = -out[0];
+}
+
+void FaceOutline::add(const ViewAxes& axes, const double point[3]) {
+  add(0, vtkMath::Dot(axes.right, point));
+  add(1, vtkMath::Dot(axes.up, point));
+  add(2, vtkMath::Dot(axes.out, point));
+}
+
+void FaceOutline::add(const ViewAxes& axes, const std::array<double, 6>& box) {
+  for (int corner = 0; corner < 8; ++corner) {
+    double point[3];
+    for (int i = 0; i < 3; ++i) {
+      const double room = thinMargin * (box[2 * i + 1] - box[2 * i]);
+      point[i] = corner >> i & 1 ? box[2 * i + 1] + room : box[2 * i] - room;
+    }
+    add(axes, point);
+  }
+}
+
+FaceOutline restingOutline(const ViewAxes& axes, const FaceModel& model) {
+  FaceOutline rest;
+  vtkPolyData* curves = model.pipeline().neutralCurves()->GetOutput();
+  for (vtkIdType i = 0; i < curves->GetNumberOfPoints(); ++i) rest.add(axes, curves->GetPoint(i));
+  return rest;
+}
+
+FaceOutline outlineOf(const ViewAxes& axes, const FaceModel& model, const FaceOutline& seen, double distance) {
+  FaceOutline rest = restingOutline(axes, model), reach;
+  for (const MotionReach::Point& point : model.reach().points()) addSeen(axes, point.data(), seen, distance, reach);
+  for (int axis : {0, 1}) {
+    const double size = rest.size(axis), room = viewMargin * size, most = mostReach * size;
+    const double below = rest.low[axis] - reach.low[axis] + thinMargin * size;
+    const double beyond = reach.high[axis] - rest.high[axis] + thinMargin * size;
+    rest.low[axis] -= std::clamp(below, axis == 1 ? jawRoom * size : room, most);
+    rest.high[axis] += std::clamp(beyond, room, most);
+  }
+  return rest;
+}
+
+}  // namespace mien
