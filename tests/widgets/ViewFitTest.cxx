@@ -74,7 +74,6 @@ TEST_F(ViewFit, TheOpenJawIsWithinBothViews) {
     EXPECT_EQ(distance("faceView"), face) << expression;
     EXPECT_EQ(distance("curveView"), curves) << expression;
     EXPECT_LT((atRest - chin()) / height, 0.10) << expression;
-    fprintf(stderr, "CHIN %s %g\n", expression, (atRest - chin()) / height);
   }
   window->model().change([](FaceState& state) {
     state.expressions.clear();
@@ -83,7 +82,6 @@ TEST_F(ViewFit, TheOpenJawIsWithinBothViews) {
   settle();
   expectWhole("FAP 3");
   RecordProperty("jawShare", std::to_string((atRest - chin()) / height));
-  fprintf(stderr, "JAW %g\n", (atRest - chin()) / height);
   EXPECT_GT((atRest - chin()) / height, 0.05);
   for (const char* side : {"lookFortyFive", "lookSide", "lookReset"}) {
     find<QToolButton>(side)->click();
