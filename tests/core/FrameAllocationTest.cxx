@@ -12,7 +12,7 @@
 #include "PDESurface.h"
 #include "SyntheticFace.h"
 
-#if defined(__GLIBC__) && !defined(MIEN_SANITIZED) && !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define MIEN_COUNTS_ALLOCATIONS
 #endif
 
