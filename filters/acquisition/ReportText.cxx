@@ -20,7 +20,7 @@ std::string landmarkLine(const ScanReport& r) {
   if (r.completedLandmarks > 0) text += line(", %d of 68 completed from the generic face", r.completedLandmarks);
   if (r.landmarksGiven) text += line(", %.2f mm (median) off the scan", r.landmarkDepth);
   if (r.fitted && r.landmarksGiven)
-    text += line("; fitted ones lie %.2f mm RMS from them, at most %.2f", r.landmarkRMS, r.landmarkMaximum);
+    text += line("; fitted ones lie %.2f mm RMS from them, at most %.2f mm", r.landmarkRMS, r.landmarkMaximum);
   return text + "\n";
 }
 
@@ -43,8 +43,8 @@ std::string reportText(const AcquireResult& result) {
     text +=
         line("  fit        generic face %.2f mm RMS from the scan before bending, relief agrees by %.2f, size %.2f\n",
              r.fitDistance, r.fitRelief, r.fitSize);
-  text += line("  distance   frontal spline face to scan %.3f mm RMS, at most %.2f\n", result.frontalRMS,
-               result.frontalMaximum);
+  text += line("  distance   frontal spline face of these curves to scan %.3f mm RMS, at most %.2f mm\n",
+               result.frontalRMS, result.frontalMaximum);
   return text + line("  crossings  %d", result.crossings) +
          (result.crossingCurves.empty() ? "" : ": " + result.crossingCurves) + "\n";
 }

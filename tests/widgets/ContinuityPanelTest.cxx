@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
+#include <QHeaderView>
 #include <QToolButton>
 
 #include "CameraFlight.h"
@@ -58,6 +59,18 @@ TEST_F(ContinuityPanel, ListsTheSeamsAndFollowsTheScheme) {
 }
 
 /// What is rounding is told as such, in digits and on an axis of its own; every column has a unit.
+TEST_F(ContinuityPanel, EveryHeadOfTheTableIsReadWhole) {
+  auto* table = find<QTableWidget>("continuityTable");
+  for (int rows : {0, 1}) {
+    find<QComboBox>("continuityRows")->setCurrentIndex(rows);
+    settle();
+    for (int column = 1; column < table->columnCount(); ++column)
+      for (const QString& line : table->horizontalHeaderItem(column)->text().split('\n'))
+        EXPECT_GE(table->columnWidth(column), table->horizontalHeader()->fontMetrics().horizontalAdvance(line) + 8)
+            << line.toStdString();
+  }
+}
+
 TEST_F(ContinuityPanel, RoundingIsSeenAsRounding) {
   window->model().change([](mien::FaceState& state) { state.surface.scheme = "spline"; });
   ASSERT_TRUE(waitUntil([this] { return angle(8) < 1e-6; }));

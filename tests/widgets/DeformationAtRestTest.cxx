@@ -41,7 +41,7 @@ TEST_F(DeformationAtRest, TheFaceAtRestOffersExamples) {
   EXPECT_EQ(window->model().state().deformation.table, "joy");
   EXPECT_EQ(window->model().state().deformation.strength, 1.0);
   ASSERT_TRUE(waitForNumbers());
-  EXPECT_TRUE(find<QLabel>("deformationExpression")->text().startsWith("Nearest: joy at "));
+  EXPECT_TRUE(find<QLabel>("deformationExpression")->text().startsWith("Nearest: joy, "));
   EXPECT_FALSE(find<QWidget>("deformationEmpty")->isVisible());
   choose("None");
   EXPECT_TRUE(waitUntil([&] { return !cells->isVisible(); }));

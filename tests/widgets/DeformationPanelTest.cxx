@@ -25,6 +25,7 @@
 #include "FigureView.h"
 #include "FitBar.h"
 #include "NamedTables.h"
+#include "RangeDelegate.h"
 #include "StudioFixture.h"
 #include "TableStatistics.h"
 
@@ -72,7 +73,7 @@ class DeformationPanel : public StudioFixture {
 
   bool waitForName(const QString& name) {
     auto* label = find<QLabel>("deformationExpression");
-    return waitUntil([&] { return label->isVisible() && label->text().startsWith("Nearest: " + name + " at "); });
+    return waitUntil([&] { return label->isVisible() && label->text().startsWith("Nearest: " + name + ", "); });
   }
 
   QImage face() {
@@ -171,7 +172,7 @@ TEST_F(DeformationPanel, APinnedFaceKeepsItsTable) {
 
 TEST_F(DeformationPanel, AFaceThatDoesNotMoveMarksNoCoefficient) {
   for (int i = 0; i < 192; ++i)
-    EXPECT_EQ(cells->item(i / 12, i % 12)->text().indexOf(QRegularExpression("[\u25b4\u25be]")), -1) << i;
+    EXPECT_FALSE(cells->item(i / 12, i % 12)->data(mien::RangeDelegate::outsideRole).toBool()) << i;
   EXPECT_EQ(cells->text().find("mean_"), std::string::npos);
 }
 
@@ -263,7 +264,7 @@ TEST_F(DeformationPanel, SmallCoefficientsKeepADigit) {
   for (int i = 0; i < 192; ++i) {
     const double value = joy.maps[i / 12].coefficients(i % 12 / 6, i % 6);
     QString text = cells->item(i / 12, i % 12)->text();
-    text.replace(QChar(0x2212), '-').remove(QRegularExpression("[\u25b4\u25be]"));
+    text.replace(QChar(0x2212), '-');
     bool number = false;
     const double read = text.toDouble(&number);
     EXPECT_TRUE(number) << text.toStdString();
@@ -293,7 +294,7 @@ TEST_F(DeformationPanel, AStatusWithoutRoomEndsInDots) {
   EXPECT_GT(status->shownText().size(), 8);
 }
 
-TEST_F(DeformationPanel, NumbersOutsideTheRangeCarryAnArrow) {
+TEST_F(DeformationPanel, NumbersOutsideTheRangeAreRedAndBoldAndNoOthers) {
   choose("Smile");
   find<QComboBox>("deformationShown")->setCurrentIndex(1);
   find<QComboBox>("deformationMean")->setCurrentText("joy");
@@ -301,10 +302,14 @@ TEST_F(DeformationPanel, NumbersOutsideTheRangeCarryAnArrow) {
   ASSERT_FALSE(outside.empty());
   std::vector<int> marked;
   for (int i = 0; i < 192; ++i) {
-    const QString text = cells->item(i / 12, i % 12)->text();
-    if (text.contains(QChar(0x25b4)) || text.contains(QChar(0x25be))) marked.push_back(i);
+    const QTableWidgetItem* cell = cells->item(i / 12, i % 12);
+    EXPECT_EQ(cell->font().bold(), cell->data(mien::RangeDelegate::outsideRole).toBool()) << i;
+    EXPECT_LT(QFontMetrics(cell->font()).horizontalAdvance(cell->text()), cells->columnWidth(i % 12) - 3) << i;
+    if (cell->font().bold()) marked.push_back(i);
   }
   EXPECT_EQ(marked, outside);
+  const auto* detail = find<mien::ElidedLabel>("deformationDetail");
+  EXPECT_EQ(detail->text().toStdString(), "Red and bold: outside mean \u00b1 sd of joy by more than 0.005");
 }
 
 /// What is rounding beside the map that it belongs to reads 0, and what differs from the mean by no more than the table
@@ -326,6 +331,19 @@ TEST_F(DeformationPanel, RoundingIsNotMarked) {
   }
   EXPECT_GT(rounding, 10) << "else none is tried";
   EXPECT_GT(marked, 10);
+}
+
+/// In a window of the usual size.
+TEST_F(DeformationPanel, TheAnswerIsReadWholeAndItsBarsAreSeen) {
+  window->resize(1280, 800);
+  find<QAction>("actionWorkspace3")->trigger();
+  show("surprise");
+  ASSERT_TRUE(waitForName("surprise"));
+  settle();
+  const auto* answer = find<mien::ElidedLabel>("deformationExpression");
+  EXPECT_EQ(answer->shownText(), answer->text());
+  EXPECT_TRUE(answer->toolTip().contains("of the mean surprise table")) << answer->toolTip().toStdString();
+  EXPECT_GE(figure->pixelOf(0, 0.0, 0.0).y() - figure->pixelOf(0, 0.0, 0.2).y(), 36.0);
 }
 
 TEST_F(DeformationPanel, AClickedBarChoosesItsRange) {

@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QPlainTextEdit>
 #include <QProgressBar>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTabWidget>
@@ -65,8 +66,10 @@ TEST_F(ScanPanel, AScanIsMeasuredAdoptedAndCompared) {
   EXPECT_EQ(message(), "");
   EXPECT_TRUE(report().contains("landmarks  given")) << report().toStdString();
   EXPECT_TRUE(report().contains("unit       mm")) << report().toStdString();
+  EXPECT_TRUE(report().startsWith("Curves measured from this scan, not adopted yet:")) << report().toStdString();
+  EXPECT_TRUE(report().contains(QRegularExpression("of these curves to scan [0-9.]+ mm RMS, at most [0-9.]+ mm\n")));
   find<QComboBox>("scanDistances")->setCurrentIndex(1);
-  ASSERT_TRUE(waitUntil([&] { return report().startsWith("Face to scan"); }, longest));
+  ASSERT_TRUE(waitUntil([&] { return report().startsWith("Shown face to scan"); }, longest));
   const auto rms = [&] { return report().section("RMS ", 1).section(" ", 0, 0).toDouble(); };
   const double before = rms();
   QTemporaryDir folder;
@@ -76,10 +79,13 @@ TEST_F(ScanPanel, AScanIsMeasuredAdoptedAndCompared) {
   EXPECT_EQ(window->model().state().curvesFile, folder.filePath("anna.vtp").toStdString());
   ASSERT_TRUE(waitUntil([&] { return rms() < 0.7; }, longest)) << report().toStdString();
   EXPECT_GT(before, 2.0 * rms());
+  EXPECT_TRUE(report().contains("Curves measured from this scan, which are the shown face:")) << report().toStdString();
   find<QComboBox>("scanDistances")->setCurrentIndex(2);
-  ASSERT_TRUE(waitUntil([&] { return report().startsWith("Scan to face"); }, longest));
+  ASSERT_TRUE(waitUntil([&] { return report().startsWith("Scan to shown face"); }, longest));
   find<QComboBox>("scanDistances")->setCurrentIndex(0);
-  EXPECT_TRUE(waitUntil([&] { return report().startsWith("/") || !report().contains("RMS, median"); }));
+  EXPECT_TRUE(waitUntil([&] {
+    return !report().contains("shown face to scan", Qt::CaseInsensitive) && !report().contains("Scan to shown");
+  }));
 }
 
 /// The dock scrolls, and nothing in it.
@@ -172,7 +178,7 @@ TEST_F(ScanPanel, AScanGivesWayToColoursThatHaveAMeaning) {
   EXPECT_TRUE(shown->isEnabled());
   EXPECT_NEAR(view->camera()->GetDistance(), framed, 1e-9 * framed);
   find<QComboBox>("scanDistances")->setCurrentIndex(1);
-  ASSERT_TRUE(waitUntil([&] { return report().startsWith("Face to scan"); }, longest));
+  ASSERT_TRUE(waitUntil([&] { return report().startsWith("Shown face to scan"); }, longest));
   EXPECT_FALSE(shown->isEnabled());
   EXPECT_LT(view->camera()->GetDistance(), framed);
 }

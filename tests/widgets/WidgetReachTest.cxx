@@ -4,6 +4,7 @@
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -13,6 +14,7 @@
 #include <QMenuBar>
 #include <QPlainTextEdit>
 #include <QScrollBar>
+#include <QSpinBox>
 #include <QTabBar>
 #include <cmath>
 #include <map>
@@ -118,6 +120,40 @@ void expectClearMenu(const QMenu& menu) {
     if (action->menu()) expectClearMenu(*action->menu());
   }
   expectOnce(uses, menu.title().toStdString());
+}
+
+double luminance(const QColor& color) {
+  const auto linear = [](double x) { return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+}
+
+/// Of two colours, as WCAG 2.1 defines it.
+double contrastOf(const QColor& one, const QColor& other) {
+  const double a = luminance(one), b = luminance(other);
+  return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+/// The best contrast to the window that a pixel of the widget's left edge has, half way down.
+double edgeContrast(QWidget& widget) {
+  const QImage picture = widget.grab().toImage();
+  double best = 1.0;
+  for (int x = 0; x < 5; ++x)
+    best = std::max(best, contrastOf(picture.pixelColor(x, picture.height() / 2), mien::Theme::current().window));
+  return best;
+}
+
+/// WCAG 2.1 asks for 3:1 of what shows that there is something to press or to fill in.
+TEST_F(WidgetReach, BoxesAndFieldsHaveAnEdgeInTheDark) {
+  mien::Theme::apply(mien::Theme::Kind::Dark, *qApp);
+  QCheckBox box("box");
+  QLineEdit field;
+  QSpinBox number;
+  for (QWidget* widget : std::initializer_list<QWidget*>{&box, &field, &number}) {
+    widget->show();
+    settle();
+    EXPECT_GE(edgeContrast(*widget), 3.0) << widget->metaObject()->className();
+  }
+  mien::Theme::apply(mien::Theme::Kind::Light, *qApp);
 }
 
 /// A ring of two pixels, on buttons that are flat, framed, or on.

@@ -4,9 +4,11 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "DefaultRegions.h"
 #include "NumberText.h"
@@ -40,11 +42,15 @@ QString sideText(int side) {
 }
 
 /// Two decimals, or one digit of what would read 0.00; 0 for what is nothing beside the largest of its map.
-QString cellText(double value, double largest) {
+/// A third decimal, where the number would else read as the limit that it lies beyond.
+QString cellText(double value, double largest, std::optional<double> limit) {
   const double size = std::abs(value);
   if (size < noMovement * largest) return QStringLiteral("0");
-  const QString text =
-      size < 0.005 ? QString::number(value, 'e', 0).replace("e-0", "e-") : QString::number(value, 'f', 2);
+  const QString two = QString::number(value, 'f', 2);
+  const bool readsAsLimit = limit && two == QString::number(*limit, 'f', 2);
+  const QString three =
+      QString::number(value, 'f', 3).remove(QRegularExpression("\\b0(?=\\.)"));  // as wide as the column allows
+  const QString text = size < 0.005 ? QString::number(value, 'e', 0).replace("e-0", "e-") : readsAsLimit ? three : two;
   return QString(text).replace('-', QChar(0x2212));
 }
 
@@ -90,8 +96,8 @@ void CoefficientTable::addHeaders() {
     const QString name = QString::fromStdString(coefficientName(i));
     auto* header = new QTableWidgetItem(name + '\n' + QString::fromUtf8(shortUnits[i % 6]));
     header->setToolTip(tr("%1: factor of %2 in %3' (%4; pu is one pupil unit, half the distance of the pupils); the "
-                          "scale below a number is mean \u00b1 sd of the expression, bold with an arrow what lies "
-                          "outside it")
+                          "scale below a number is mean \u00b1 sd of the expression, red and bold what lies "
+                          "outside it by more than 0.005")
                            .arg(name, QString::fromUtf8(factors[i % 6]), i < 6 ? "x" : "y", units[i % 6]));
     setHorizontalHeaderItem(i, header);
   }
@@ -146,8 +152,10 @@ void CoefficientTable::fillCoefficient(int region, int coefficient) {
   const double largest = table_.maps[region - 1].coefficients.cwiseAbs().maxCoeff();
   const int side = hasMean_ ? sideOfRange(table_, mean_, region, coefficient) : 0;
   QTableWidgetItem* cell = item(region - 1, coefficient);
-  const QString arrow = side == 0 ? QString() : side < 0 ? QStringLiteral("\u25be") : QStringLiteral("\u25b4");
-  cell->setText(cellText(value, largest) + arrow);
+  cell->setText(
+      cellText(value, largest, side == 0 ? std::nullopt : std::make_optional(value - difference + side * deviation)));
+  cell->setData(RangeDelegate::outsideRole, side != 0);
+  cell->setToolTip(hasMean_ ? wordsOf(region, coefficient) : QString());
   cell->setData(RangeDelegate::placeRole, deviation > 0.0 ? QVariant(difference / deviation) : QVariant());
   QFont font = this->font();
   font.setBold(side != 0);
@@ -166,11 +174,18 @@ void CoefficientTable::fillFit(int region, const PresentTable::Fit* fit) {
 }
 
 QString CoefficientTable::detail() const {
-  if (!shown_ || currentRow() < 0) return tr("Choose a coefficient to read it with its range.");
-  const int region = chosenRegion();
+  if (!shown_ || currentRow() < 0) return legend();
+  if (currentColumn() >= coefficientCount) return regionText(chosenRegion());
+  return wordsOf(chosenRegion(), currentColumn());
+}
+
+QString CoefficientTable::legend() const {
+  if (!shown_ || !hasMean_) return tr("Choose a coefficient to read it with its range.");
+  return tr("Red and bold: outside mean \u00b1 sd of %1 by more than 0.005").arg(QString::fromStdString(meanName_));
+}
+
+QString CoefficientTable::wordsOf(int region, int coefficient) const {
   const QString name = regionText(region);
-  const int coefficient = currentColumn();
-  if (coefficient >= coefficientCount) return name;
   const auto number = [](double x) { return QString::number(x, 'g', 4); };
   const double value = valueOf(table_, region, coefficient);
   if (!hasMean_)

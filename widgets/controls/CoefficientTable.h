@@ -8,8 +8,8 @@
 
 namespace mien {
 
-/// A table's 16 x 12 coefficients, each with the range mean +- sd of an expression. Numbers outside carry an arrow,
-/// stand in bold and off the range on their scale. Ctrl+C copies all of it as CSV.
+/// A table's 16 x 12 coefficients, each with the range mean +- sd of an expression. Numbers outside are
+/// red and bold, and off the range on their scale. Ctrl+C copies all of it as CSV.
 class CoefficientTable : public QTableWidget {
   Q_OBJECT
  public:
@@ -35,6 +35,8 @@ class CoefficientTable : public QTableWidget {
   void addHeaders();
   void addCells();
   void fillCoefficient(int region, int coefficient);
+  QString legend() const;
+  QString wordsOf(int region, int coefficient) const;
   void fillFit(int region, const PresentTable::Fit* fit);
 
   DeformationTable table_, mean_;

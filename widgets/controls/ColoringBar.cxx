@@ -94,7 +94,8 @@ void ColoringBar::describe() {
   choice_->setObjectName("colorBy");
   choice_->setToolTip(
       tr("What the face is coloured by: its skin, a photograph (dock Texture), its nine patches, or an "
-         "array of the surface with its unit; or what a dock shows on it, until another is chosen here"));
+         "array of the surface with its unit; or what a dock shows on it, until another is chosen here. Displacement "
+         "is there while a deformation table moves the face"));
   choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   choice_->setMinimumContentsLength(usualLetters);
   choice_->setMinimumWidth(leastList);

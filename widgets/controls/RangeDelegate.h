@@ -10,6 +10,7 @@ class RangeDelegate : public QStyledItemDelegate {
  public:
   /// Data of a cell: the place of the number from the mean, in standard deviations; invalid: no scale.
   static constexpr int placeRole = Qt::UserRole;
+  static constexpr int outsideRole = Qt::UserRole + 1;  ///< bool: number and place stand out
 
   using QStyledItemDelegate::QStyledItemDelegate;
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;

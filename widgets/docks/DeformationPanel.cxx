@@ -37,7 +37,8 @@ namespace {
 
 enum Shown { Present, Chosen };
 constexpr int leastFigure = 180;  // pixels beside the table
-constexpr int nearestMean = 0;    // first entry of the means; the expressions follow
+const QPoint unitPlace(4, 1);
+constexpr int nearestMean = 0;  // first entry of the means; the expressions follow
 
 QString droppedTable(const QMimeData* data) {
   for (const QUrl& url : data->urls())
@@ -61,6 +62,7 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
       mean_(new QComboBox(this)),
       detail_(new ElidedLabel(this)),
       expression_(new ElidedLabel(this)),
+      unit_(new QLabel(tr("Not explained (pu)"), figure_)),
       onFace_(new QToolButton(this)) {
   setObjectName("deformationPanel");
   setAcceptDrops(true);
@@ -106,9 +108,6 @@ void DeformationPanel::describeControls() {
   mean_->setToolTip(tr("The expression whose mean \u00b1 standard deviation over 12 subjects is the acceptable range"));
   detail_->setObjectName("deformationDetail");
   expression_->setObjectName("deformationExpression");
-  expression_->setToolTip(
-      tr("The mean table that explains most of the movement from A to the present face, and its intensity: the factor, "
-         "50 % to 150 %, by which that table's movement comes nearest"));
   detail_->setProperty("faint", true);
   expression_->setProperty("heading", true);
   figure_->setMinimumWidth(leastFigure);
@@ -171,6 +170,10 @@ QWidget* DeformationPanel::expressionColumn() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
   column->addWidget(expression_);
+  unit_->setObjectName("deformationUnit");
+  unit_->setProperty("faint", true);
+  unit_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  unit_->move(unitPlace);  // in the figure's margin: as a title it would take room from the bars
   column->addWidget(figure_, 1);
   return box;
 }
@@ -233,19 +236,25 @@ void DeformationPanel::showExpression() {
   Figure shown = figure();
   const auto& fit = present_->fit();
   expression_->setVisible(!shown.panels.empty());
+  unit_->setVisible(!shown.panels.empty());
   if (shown.panels.empty()) {
     figure_->setHint(fit ? fit->fault.isEmpty() ? tr("The face does not move: there is no expression to name.")
                                                 : fit->fault
                          : QString());
   } else {
     const RecognitionScore& score = fit->scores.front();
-    expression_->setText(tr("Nearest: %1 at %2 % of its mean")
-                             .arg(QString::fromStdString(PresentTable::expressions()[score.expression]))
-                             .arg(100.0 * score.intensity, 0, 'f', 0));
+    const QString name = QString::fromStdString(PresentTable::expressions()[score.expression]);
+    const QString percent = QString::number(100.0 * score.intensity, 'f', 0);
+    expression_->setText(tr("Nearest: %1, %2 %").arg(name, percent));
+    expression_->setToolTip(tr("The movement from A to the present face is nearest to %2 % of the mean %1 table: the "
+                               "one that explains most of it, at the factor, 50 % to 150 %, that suits it best")
+                                .arg(name, percent));
     shown.title.clear();
     shown.caption.clear();
     shown.note.clear();
     shown.panels.front().x.title.clear();
+    shown.panels.front().y.title.clear();  // unit_ says it
+    shown.panels.front().y.unit.clear();
   }
   figure_->setFigure(shown);
   figure_->setMarked(mean_->currentIndex() == nearestMean ? nearest() : mean_->currentIndex() - 1);

@@ -5,6 +5,7 @@
 #include "Figure.h"
 
 class QComboBox;
+class QLabel;
 class QStackedWidget;
 class QToolButton;
 
@@ -57,6 +58,7 @@ class DeformationPanel : public QWidget {
   QStackedWidget* pages_;
   QComboBox *shown_, *mean_;
   ElidedLabel *detail_, *expression_;
+  QLabel* unit_;
   QToolButton* onFace_;
 };
 

@@ -152,6 +152,7 @@ void ScanPanel::connectButtons() {
   connect(cancel_, &QToolButton::clicked, task_, &BackgroundTask::cancel);
   connect(task_, &BackgroundTask::progressed, progress_, &QProgressBar::setValue);
   connect(task_, &BackgroundTask::runningChanged, this, &ScanPanel::showReport);
+  connect(model_, &FaceModel::stateChanged, this, &ScanPanel::showReport);  // other curves may be shown now
 }
 
 void ScanPanel::connectMap() {
@@ -294,8 +295,9 @@ void ScanPanel::take(const Found& found) {
     return;
   }
   curves_ = found.scan.curves;
+  adopted_.clear();
   scan_ = found.scan.scan;
-  text_ = QString::fromStdString(reportText(found.scan.result));
+  text_ = QString::fromStdString(reportText(found.scan.result)).trimmed();
   map_->setScan(scan_);
   showScan();
   showReport();
@@ -312,8 +314,18 @@ bool ScanPanel::adopt(const QString& fileName) {
     return false;
   }
   if (!model_->openCurves(fileName)) return false;
+  adopted_ = fileName;
+  showReport();
   emit model_->remarked(tr("%1 was written and is the face now.").arg(QFileInfo(fileName).fileName()), fileName);
   return true;
+}
+
+/// Distances of the shown face stand above it: whose these are has to be said.
+QString ScanPanel::reportOfCurves() const {
+  const bool isShown = !adopted_.isEmpty() && model_->state().curvesFile == adopted_.toStdString();
+  return (isShown ? tr("Curves measured from this scan, which are the shown face:")
+                  : tr("Curves measured from this scan, not adopted yet:")) +
+         "\n" + text_;
 }
 
 void ScanPanel::showReport() {
@@ -323,8 +335,9 @@ void ScanPanel::showReport() {
   adopt_->setEnabled(curves_ && !running);
   visible_->setEnabled(scan_ && !isHiddenByColors());
   for (QWidget* control : std::initializer_list<QWidget*>{subject_, largest_, frontal_}) control->setEnabled(scan_);
-  QString text =
-      text_.isEmpty() ? tr("A scan opened here or dropped onto the dock is measured and shown over the face.") : text_;
+  QString text = text_.isEmpty()
+                     ? tr("A scan opened here or dropped onto the dock is measured and shown over the face.")
+                     : reportOfCurves();
   if (running) text = tr("Measuring %1 ...").arg(QFileInfo(file_).fileName());
   if (!map_->summary().isEmpty()) text = map_->summary() + "\n" + text;
   if (text != report_->toPlainText()) report_->setPlainText(text);

@@ -65,6 +65,7 @@ class ScanPanel : public QWidget, public SessionPart {
   void chooseLandmarks(bool on);
   void chooseAdopted();
   void showLandmarkFile();
+  QString reportOfCurves() const;
   void showReport();
   void showScan();
   bool isHiddenByColors() const;
@@ -83,7 +84,7 @@ class ScanPanel : public QWidget, public SessionPart {
   GrowingText* report_;
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> curves_, scan_;
-  QString file_, landmarkFile_, text_;
+  QString file_, landmarkFile_, text_, adopted_;
   bool colored_ = false;  ///< whether colours on the face mean something
   QString framed_;        ///< the scan that the camera has been moved back for
 };

@@ -60,7 +60,7 @@ Chart seamChart(const std::string& seam, const std::vector<SeamProfile>& profile
         {profile.scheme, profile.v, profile.value, ChartSeries::Kind::Line, schemeStyle(profile.scheme)});
     largest = std::max(largest, largestOf(profile.value));
   }
-  if (largest < mostRounding) chart.y.title += largest > 0.0 ? ": rounding only" : ": zero";
+  if (largest < mostRounding) chart.y.title += largest > 0.0 ? ": rounding only" : ": 0 everywhere";
   return chart;
 }
 

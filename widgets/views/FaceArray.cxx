@@ -80,8 +80,8 @@ const std::vector<FaceArray>& FaceArray::onDemand() {
       {"GaussianCurvature", -1, false, QObject::tr("Gaussian curvature K (1/mm\u00b2)")},
       {"MaximumCurvature", -1, false, QObject::tr("Curvature \u03ba1 (1/mm)")},
       {"MinimumCurvature", -1, false, QObject::tr("Curvature \u03ba2 (1/mm)")},
-      {"Su", -1, false, QObject::tr("Length of S_u (mm)")},
-      {"Sv", -1, false, QObject::tr("Length of S_v (mm)")},
+      {"Su", -1, false, QObject::tr("Length of dS/du (mm)")},
+      {"Sv", -1, false, QObject::tr("Length of dS/dv (mm)")},
   };
   return arrays;
 }

@@ -7,7 +7,6 @@
 
 #include <CLI/Version.hpp>
 #include <Eigen/Core>
-#include <QCoreApplication>
 #include <QObject>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
@@ -42,9 +41,8 @@ QString graphics() {
 }  // namespace
 
 std::vector<std::pair<QString, QString>> libraryVersions() {
-  const QString mien = QCoreApplication::applicationVersion();
   return {
-      {"Mien", mien.isEmpty() ? QObject::tr("without a version") : mien},
+      {"Mien", MIEN_VERSION},
       {"VTK", vtkVersion::GetVTKVersion()},
       {"Qt", qVersion()},
       {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},

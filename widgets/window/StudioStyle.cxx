@@ -4,12 +4,14 @@
 #include <QStyleOptionComboBox>
 
 #include "Icons.h"
+#include "Theme.h"
 
 namespace mien {
 
 namespace {
 
 constexpr double cornerRadius = 3.5, arrowHalf = 3.5, arrowDepth = 3.5, arrowWidth = 1.5;  // pixels
+constexpr int fusionDarker = 140;                                                          // per cent
 constexpr double ringWidth = 2.0;                                                          // pixels, with the focus
 
 QColor mixedColor(const QColor& a, const QColor& b, double share) {
@@ -44,6 +46,12 @@ void drawListFrame(const QStyleOptionComboBox& option, const QRect& arrowArea, Q
   painter.restore();
 }
 
+/// Fusion takes the edge of fields and check boxes from the window's colour, by darkening it: in the dark nothing is
+/// left to be seen of it.
+void setEdge(QPalette& colors) {
+  colors.setColor(QPalette::Window, Theme::current().edge.lighter(fusionDarker));
+}
+
 }  // namespace
 
 StudioStyle::StudioStyle() : QProxyStyle("Fusion") {}
@@ -53,7 +61,26 @@ void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
   const auto* list = qstyleoption_cast<const QStyleOptionComboBox*>(option);
   if (control == CC_ComboBox && list && !list->editable)
     return drawListFrame(*list, subControlRect(control, option, SC_ComboBoxArrow, widget), *painter);
-  QProxyStyle::drawComplexControl(control, option, painter, widget);
+  const auto* number = qstyleoption_cast<const QStyleOptionSpinBox*>(option);
+  if (control != CC_SpinBox || !number) return QProxyStyle::drawComplexControl(control, option, painter, widget);
+  QStyleOptionSpinBox edged = *number;
+  setEdge(edged.palette);
+  QProxyStyle::drawComplexControl(control, &edged, painter, widget);
+}
+
+void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                                const QWidget* widget) const {
+  const auto* box = qstyleoption_cast<const QStyleOptionButton*>(option);
+  if (element == PE_IndicatorCheckBox && box) {
+    QStyleOptionButton edged = *box;
+    setEdge(edged.palette);
+    return QProxyStyle::drawPrimitive(element, &edged, painter, widget);
+  }
+  const auto* frame = qstyleoption_cast<const QStyleOptionFrame*>(option);
+  if (element != PE_FrameLineEdit || !frame) return QProxyStyle::drawPrimitive(element, option, painter, widget);
+  QStyleOptionFrame edged = *frame;
+  setEdge(edged.palette);
+  QProxyStyle::drawPrimitive(element, &edged, painter, widget);
 }
 
 QIcon StudioStyle::standardIcon(StandardPixmap pixmap, const QStyleOption* option, const QWidget* widget) const {

@@ -25,6 +25,7 @@ Theme light() {
   theme.text = "#1f2933";
   theme.faintText = "#5f6c7b";
   theme.line = "#d5dae1";
+  theme.edge = theme.window.darker(140);  // as of Fusion
   theme.accent = "#2f6fb2";
   theme.accentText = "#ffffff";
   theme.error = "#b3372f";
@@ -48,6 +49,7 @@ Theme dark() {
   theme.text = "#e4e8ed";
   theme.faintText = "#9aa6b4";
   theme.line = "#414954";
+  theme.edge = "#7f8996";
   theme.accent = "#5b9bdc";
   theme.accentText = "#10151b";
   theme.error = "#ec7f76";
