@@ -48,6 +48,17 @@ TEST_F(FAPPlotPanel, PlotsWhatMovesInUnitsOverSeconds) {
   EXPECT_EQ(series.y[50], 1000.0);
 }
 
+TEST_F(FAPPlotPanel, WhatIsPlottedStandsFirstInTheList) {
+  window->playDemonstration();
+  window->player().pause();
+  settle();
+  auto* list = find<QListWidget>("plotFAPs");
+  const int plotted = list->selectedItems().size();
+  ASSERT_GT(plotted, 1);
+  ASSERT_GT(list->count(), plotted);
+  for (int i = 0; i < list->count(); ++i) EXPECT_EQ(list->item(i)->isSelected(), i < plotted) << i;
+}
+
 TEST_F(FAPPlotPanel, MarksWhatHasNoSurface) {
   QFile file(QDir::temp().filePath(QString("mien_eyes_%1.fap").arg(QCoreApplication::applicationPid())));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));

@@ -252,7 +252,20 @@ void FAPPlotPanel::chooseSome() {
     faps.push_back(fapOf(item));
     item->setSelected(true);
   }
+  raiseSelected();
   followChoice();
+}
+
+/// The list is the legend too: what is plotted of a new animation is seen without scrolling. Later clicks move nothing.
+void FAPPlotPanel::raiseSelected() {
+  int top = 0;
+  for (int i = 0; i < list_->count(); ++i) {
+    if (!list_->item(i)->isSelected()) continue;
+    QListWidgetItem* item = list_->takeItem(i);
+    list_->insertItem(top++, item);
+    item->setSelected(true);
+  }
+  list_->scrollToTop();
 }
 
 void FAPPlotPanel::choose() {

@@ -46,6 +46,7 @@ class FAPPlotPanel : public QWidget, public SessionPart {
   void listFAPs();
   void choose();
   void chooseSome();
+  void raiseSelected();
   void select(const std::vector<int>& faps);
   void followChoice();
   void addChosen(QListWidgetItem* item);
