@@ -233,7 +233,7 @@ void FAPPlotPanel::listFAPs() {
                                              : tr("Click FAPs in the list to plot them"));
 }
 
-/// Those that move the face furthest, of mirror partners one.
+/// Those that move the face furthest, of mirror partners one; they come first, and later clicks move nothing.
 void FAPPlotPanel::chooseSome() {
   const auto reach = [this](int fap) {
     const double millimetres = model_->millimetresPerUnit(fap);
@@ -249,23 +249,12 @@ void FAPPlotPanel::chooseSome() {
   for (const auto& [distance, item] : items) {
     const bool partnerIsThere = std::count(faps.begin(), faps.end(), fapDefinition(fapOf(item)).mirrorPartner) > 0;
     if (partnerIsThere || faps.size() == atFirst) continue;
+    list_->insertItem(static_cast<int>(faps.size()), list_->takeItem(list_->row(item)));  // the list is the legend too
     faps.push_back(fapOf(item));
     item->setSelected(true);
   }
-  raiseSelected();
-  followChoice();
-}
-
-/// The list is the legend too: what is plotted of a new animation is seen without scrolling. Later clicks move nothing.
-void FAPPlotPanel::raiseSelected() {
-  int top = 0;
-  for (int i = 0; i < list_->count(); ++i) {
-    if (!list_->item(i)->isSelected()) continue;
-    QListWidgetItem* item = list_->takeItem(i);
-    list_->insertItem(top++, item);
-    item->setSelected(true);
-  }
   list_->scrollToTop();
+  followChoice();
 }
 
 void FAPPlotPanel::choose() {

@@ -46,7 +46,6 @@ class FAPPlotPanel : public QWidget, public SessionPart {
   void listFAPs();
   void choose();
   void chooseSome();
-  void raiseSelected();
   void select(const std::vector<int>& faps);
   void followChoice();
   void addChosen(QListWidgetItem* item);
