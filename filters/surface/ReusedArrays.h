@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "PDESurface.h"
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
@@ -13,13 +14,11 @@ namespace mien {
 /// Output arrays of a filter that runs again and again: one that nobody else holds any more is written anew, since
 /// asking the system for memory takes longer than filling it (1000 x 1000 points with normals: 12 of 18 ms).
 ///
-/// An array also remembers which version of the output it holds, as long as nobody else called its Modified().
+/// An array also remembers which version of the surface it holds, as long as nobody else called its Modified().
 template <class Scalar>
 class ReusedArrays {
  public:
   using Array = vtkSmartPointer<vtkAOSDataArrayTemplate<Scalar>>;
-
-  static constexpr long noVersion = -1;
 
   /// An array to be written, and what it holds before.
   struct Taken {

@@ -150,7 +150,7 @@ class TypedSurfaceGrid : public SurfaceGrid {
       const std::vector<Taken> taken = this->all();
       const bool areOne =
           std::all_of(taken.begin(), taken.end(), [&](const Taken& other) { return other.version == points.version; });
-      return areOne && curvatures.empty() ? points.version : PDESurface<Scalar>::noVersion;
+      return areOne && curvatures.empty() ? points.version : noVersion;
     }
   };
 

@@ -11,7 +11,9 @@
  * and locators through vtkGeometryFilter.
  *
  * Equation: (d2/du2 + a^2 d2/dv2)^m S = 0 per patch, Fourier modes 0 .. N and one remainder
- * [Sheng et al. 2011, eq. 1-11]. Honours update extents and pieces; runs through vtkSMPTools.
+ * [Sheng et al. 2011, eq. 1-11]. Honours update extents and pieces; runs through vtkSMPTools. Patches whose curves are
+ * as before are left as they are in an array that is written again: whoever writes into the output calls the array's
+ * Modified().
  * Errors: those of vtkPDEFaceAlgorithm, and a resolution that is too coarse or too fine.
  */
 #ifndef vtkPDEFaceFilter_h

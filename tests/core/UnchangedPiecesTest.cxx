@@ -18,7 +18,7 @@ struct Shown {
 
   explicit Shown(int rows, int columns) : s(RowMajor<float>::Zero(rows, 3 * columns)), normals(s) {}
 
-  void show(const PDESurface<float>& surface, long since = PDESurface<float>::noVersion) {
+  void show(const PDESurface<float>& surface, long since = noVersion) {
     surface.evaluateWithNormals(0, {s.data(), s.rows(), s.cols()}, {normals.data(), s.rows(), s.cols()}, nullptr,
                                 nullptr, since);
   }
@@ -48,9 +48,9 @@ TEST_P(UnchangedPieces, ASurfaceOfManyChangesIsThatOfTheLastCurves) {
   PDESurface<float> surface = faceOf(scheme, columns);
   Shown kept(56, columns), seldom(56, columns);
   FaceCurves now = randomFace(40, 1);
-  long seldomHolds = PDESurface<float>::noVersion;
+  long seldomHolds = noVersion;
   for (int step = 0; step < 24; ++step) {
-    const long holds = step > 0 ? surface.version() : PDESurface<float>::noVersion;
+    const long holds = step > 0 ? surface.version() : noVersion;
     if (step % 5 != 4) now.curves = mixed(now, randomFace(40, 2 + step), (7 * step) % 29, 1);
     surface.setCurves(now.curves);
     kept.show(surface, holds);

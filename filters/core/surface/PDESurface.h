@@ -10,6 +10,9 @@
 
 namespace mien {
 
+/// Older than every version of a surface.
+constexpr long noVersion = -1;
+
 /// Some rows of one strip of columns.
 struct SurfacePart {
   int strip, firstRow, rows;
@@ -38,12 +41,11 @@ class PDESurface {
   int stripCount() const { return fields_.front().stripCount(); }
   int columnsOf(int strip) const { return fields_.front().columnsOf(strip); }
 
-  /// New curves; no allocation after the first time. Those that are what they were cost nothing.
+  /// New curves; no allocation after the first time. Of those that are what they were only the samples are compared.
   void setCurves(const ClosedCurves& curves);
 
   /// Counts the curves that were set.
   long version() const { return version_; }
-  static constexpr long noVersion = -1;
 
   using Grid = Eigen::Map<RowMajor<Scalar>>;
 
