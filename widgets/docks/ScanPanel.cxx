@@ -31,6 +31,7 @@
 #include "LengthUnit.h"
 #include "OverflowRow.h"
 #include "RangeBox.h"
+#include "ScanKey.h"
 
 namespace mien {
 
@@ -69,7 +70,8 @@ ScanPanel::ScanPanel(FaceModel* model, FaceView* view, QWidget* parent)
       frontal_(new QCheckBox(tr("Front only"), this)),
       largest_(new RangeBox("scanLargest", longestRange, this)),
       progress_(new QProgressBar(this)),
-      report_(new GrowingText(this)) {
+      report_(new GrowingText(this)),
+      key_(new ScanKey(scanColor, view)) {
   setObjectName("scanPanel");
   describeButtons();
   describeMap();
@@ -114,8 +116,10 @@ void ScanPanel::describeButtons() {
   progress_->setObjectName("scanProgress");
   progress_->setFixedWidth(120);
   report_->setObjectName("scanReport");
-  report_->setToolTip(tr("What was found: unit, pose, mesh, landmarks, distance of the scan's own spline face"));
+  report_->setToolTip(tr("What was found on the scan; a line tells its details where the mouse rests on it"));
   report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  report_->setFrameShape(QFrame::NoFrame);
+  report_->viewport()->setAutoFillBackground(false);
 }
 
 void ScanPanel::describeMap() {
@@ -130,7 +134,7 @@ void ScanPanel::describeMap() {
   frontal_->setObjectName("scanFrontal");
   frontal_->setChecked(true);
   frontal_->setToolTip(
-      tr("RMS, median, 95 % and largest of what lies in front of z = 50 mm, the face without its head"));
+      tr("RMS, median, 95th percentile and largest of what lies in front of z = 50 mm, the face without its head"));
 }
 
 /// The last ones give way where there is no room for all, but for what is only there while a scan is measured.
@@ -262,7 +266,7 @@ void ScanPanel::forget() {
   const bool wasShown = scan_;
   curves_ = nullptr;
   scan_ = nullptr;
-  text_.clear();
+  found_.clear();
   framed_.clear();
   map_->setScan(nullptr);
   showScan();
@@ -297,7 +301,7 @@ void ScanPanel::take(const Found& found) {
   curves_ = found.scan.curves;
   adopted_.clear();
   scan_ = found.scan.scan;
-  text_ = QString::fromStdString(reportText(found.scan.result)).trimmed();
+  found_ = scanReportLines(found.scan.result);
   map_->setScan(scan_);
   showScan();
   showReport();
@@ -321,11 +325,16 @@ bool ScanPanel::adopt(const QString& fileName) {
 }
 
 /// Distances of the shown face stand above it: whose these are has to be said.
-QString ScanPanel::reportOfCurves() const {
+void ScanPanel::addReport(QStringList& lines, QStringList& details) const {
   const bool isShown = !adopted_.isEmpty() && model_->state().curvesFile == adopted_.toStdString();
-  return (isShown ? tr("Curves measured from this scan, which are the shown face:")
-                  : tr("Curves measured from this scan, not adopted yet:")) +
-         "\n" + text_;
+  lines << (isShown ? tr("Curves measured from %1, which are the shown face:")
+                    : tr("Curves measured from %1, not adopted yet:"))
+               .arg(QFileInfo(file_).fileName());
+  details << file_;
+  for (const ScanReportLine& line : found_) {
+    lines << "  " + line.text();
+    details << line.detail;
+  }
 }
 
 void ScanPanel::showReport() {
@@ -335,12 +344,19 @@ void ScanPanel::showReport() {
   adopt_->setEnabled(curves_ && !running);
   visible_->setEnabled(scan_ && !isHiddenByColors());
   for (QWidget* control : std::initializer_list<QWidget*>{subject_, largest_, frontal_}) control->setEnabled(scan_);
-  QString text = text_.isEmpty()
-                     ? tr("A scan opened here or dropped onto the dock is measured and shown over the face.")
-                     : reportOfCurves();
-  if (running) text = tr("Measuring %1 ...").arg(QFileInfo(file_).fileName());
-  if (!map_->summary().isEmpty()) text = map_->summary() + "\n" + text;
-  if (text != report_->toPlainText()) report_->setPlainText(text);
+  QStringList lines, details;
+  if (!map_->summary().isEmpty()) {
+    lines << map_->summary();
+    details << tr("95 % of the area are no further away than the 95th percentile");
+  }
+  if (running)
+    lines << tr("Measuring %1 ...").arg(QFileInfo(file_).fileName());
+  else if (found_.empty())
+    lines << tr("A scan opened here or dropped onto the dock is measured and shown over the face.");
+  else
+    addReport(lines, details);
+  report_->setDetails(details);
+  if (const QString text = lines.join('\n'); text != report_->toPlainText()) report_->setPlainText(text);
 }
 
 /// Seen through a scan, colours of the face would not be those of their scale; and a scan that is coloured by distances
@@ -371,6 +387,7 @@ void ScanPanel::showScan() {
   tellVisible();
   const bool isOpen = scan_ && visible_->isChecked(), isPlain = isOpen && !isHiddenByColors();
   const bool isColored = scan_ && map_->subject() == DistanceMap::Subject::Scan;
+  key_->setVisible(isPlain);
   view_->setCompany(isPlain || isColored ? scan_->GetBounds() : nullptr);
   if (isPlain) {
     vtkNew<vtkPolyDataMapper> mapper;

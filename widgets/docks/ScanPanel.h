@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "DistanceMap.h"
+#include "ScanReportText.h"
 #include "SessionPart.h"
 
 class QCheckBox;
@@ -24,6 +25,7 @@ class FaceModel;
 class FaceView;
 class GrowingText;
 class RangeBox;
+class ScanKey;
 
 /// What face does a scan have, and how far is the present one from it? A scan is measured off the GUI thread and shown
 /// beside the face; its curves can become the face, and distances are shown as colours.
@@ -65,7 +67,7 @@ class ScanPanel : public QWidget, public SessionPart {
   void chooseLandmarks(bool on);
   void chooseAdopted();
   void showLandmarkFile();
-  QString reportOfCurves() const;
+  void addReport(QStringList& lines, QStringList& details) const;
   void showReport();
   void showScan();
   bool isHiddenByColors() const;
@@ -82,9 +84,11 @@ class ScanPanel : public QWidget, public SessionPart {
   RangeBox* largest_;
   QProgressBar* progress_;
   GrowingText* report_;
+  ScanKey* key_;
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> curves_, scan_;
-  QString file_, landmarkFile_, text_, adopted_;
+  std::vector<ScanReportLine> found_;
+  QString file_, landmarkFile_, adopted_;
   bool colored_ = false;  ///< whether colours on the face mean something
   QString framed_;        ///< the scan that the camera has been moved back for
 };
