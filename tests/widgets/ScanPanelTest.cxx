@@ -66,7 +66,7 @@ TEST_F(ScanPanel, AScanIsMeasuredAdoptedAndCompared) {
   ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
   EXPECT_EQ(message(), "");
   EXPECT_TRUE(report().contains("Landmarks  from the file, ")) << report().toStdString();
-  EXPECT_TRUE(report().contains("Unit       mm, recognised by the size of the head")) << report().toStdString();
+  EXPECT_TRUE(report().contains("Mesh       in mm, recognised by the size of the head; ")) << report().toStdString();
   EXPECT_TRUE(report().startsWith("Curves measured from subject01_neutral.ply, not adopted yet:"))
       << report().toStdString();
   EXPECT_TRUE(report().contains(QRegularExpression("lies [0-9.]+ mm RMS from the scan, [0-9.]+ mm at most\n")));

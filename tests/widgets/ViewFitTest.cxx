@@ -105,7 +105,7 @@ TEST_F(ViewFit, TitlesAndNumbersAreWhole) {
     EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
     for (const char* name : {"compareSummaryA", "compareSummaryB"}) {
       const QString shown = find<mien::ElidedLabel>(name)->shownText();
-      EXPECT_TRUE(shown.contains(QRegularExpression("^RMS [0-9.]+ mm, 95th percentile [0-9.]+ mm, max [0-9.]+ mm")))
+      EXPECT_TRUE(shown.contains(QRegularExpression("^RMS [0-9.]+, 95 % \u2264 [0-9.]+, max [0-9.]+ mm")))
           << shown.toStdString();
     }
     find<mien::ViewArea>("viewArea")->comparison()->clear();
@@ -142,8 +142,7 @@ TEST_F(ViewFit, AHeadIsWholeAndItsNeckIsNotCounted) {
   EXPECT_LT(aside, 1.0);
   EXPECT_EQ(distance("otherFaceView"), distance("faceView"));
   const QString summary = comparison->summary(mien::Comparison::Side::B);
-  EXPECT_TRUE(summary.startsWith("RMS 0.00 mm, 95th percentile 0.00 mm, max 0.00 mm, B to A, "))
-      << summary.toStdString();
+  EXPECT_TRUE(summary.startsWith("RMS 0.00, 95 % \u2264 0.00, max 0.00 mm, B to A, ")) << summary.toStdString();
   EXPECT_TRUE(summary.endsWith(" % opposite")) << summary.toStdString();
   EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
   const double withHead = distance("faceView");

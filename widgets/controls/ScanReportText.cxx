@@ -1,7 +1,6 @@
 #include "ScanReportText.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
 
 #include "Acquire.h"
@@ -20,16 +19,6 @@ QString fixed(double value, int decimals) {
   return QString::number(value, 'f', decimals);
 }
 
-ScanReportLine unitLine(const ScanReport& r) {
-  const QString unit = r.unit.empty() ? Words::tr("%1 mm").arg(r.millimetres) : QString::fromStdString(r.unit);
-  return {Words::tr("Unit"),
-          r.unitRecognised ? Words::tr("%1, recognised by the size of the head").arg(unit)
-                           : Words::tr("%1, as chosen").arg(unit),
-          Words::tr("1 unit of the file is %1 mm; the outer corners of the eyes are then %2 mm apart")
-              .arg(r.millimetres)
-              .arg(fixed(r.eyes, 1))};
-}
-
 ScanReportLine poseLine(const ScanReport& r) {
   const QString degrees = fixed(r.turned * 180.0 / M_PI, 1);
   return {Words::tr("Pose"),
@@ -40,13 +29,21 @@ ScanReportLine poseLine(const ScanReport& r) {
               : Words::tr("The scan stays where it is: it is %1\u00b0 from the pose of the generic face").arg(degrees)};
 }
 
+QString unitText(const ScanReport& r) {
+  if (r.unit.empty()) return Words::tr("in units of %1 mm").arg(r.millimetres);
+  return (r.unitRecognised ? Words::tr("in %1, recognised by the size of the head") : Words::tr("in %1, as chosen"))
+      .arg(QString::fromStdString(r.unit));
+}
+
 ScanReportLine meshLine(const ScanReport& r) {
-  const QString parts =
-      r.droppedParts > 0 ? Words::tr(", without %n loose part(s)", nullptr, r.droppedParts) : QString();
+  const QString parts = r.droppedParts > 0 ? Words::tr("; %1 loose parts left out").arg(r.droppedParts) : QString();
   return {
       Words::tr("Mesh"),
-      Words::tr("%1 triangles, %2 holes or open edges").arg(QLocale::c().toString(r.triangles)).arg(r.holes) + parts,
-      Words::tr("%1 of %2 parts left out, %3 vertices merged, %4 triangles without area taken away")
+      Words::tr("%1; %2 triangles, %3 holes or open edges").arg(unitText(r)).arg(r.triangles).arg(r.holes) + parts,
+      Words::tr("1 unit of the file is %1 mm; the outer corners of the eyes are then %2 mm apart. %3 of %4 parts left "
+                "out, %5 vertices merged, %6 triangles without area taken away")
+          .arg(r.millimetres)
+          .arg(fixed(r.eyes, 1))
           .arg(r.droppedParts)
           .arg(r.parts)
           .arg(r.mergedVertices)
@@ -79,9 +76,8 @@ QString ScanReportLine::text() const {
 
 std::vector<ScanReportLine> scanReportLines(const AcquireResult& result) {
   const QString names = QString::fromStdString(result.crossingCurves);
-  return {unitLine(result.report),
+  return {meshLine(result.report),
           poseLine(result.report),
-          meshLine(result.report),
           landmarkLine(result.report),
           {Words::tr("Distance"),
            Words::tr("the curves' face lies %1 mm RMS from the scan, %2 mm at most")

@@ -14,7 +14,7 @@ struct ScanReportLine {
   QString text() const;  ///< name and value, in letters of one width below those of the other lines
 };
 
-/// Unit, pose, mesh, landmarks, distance, crossings.
+/// Mesh with its unit, pose, landmarks, distance, crossings.
 std::vector<ScanReportLine> scanReportLines(const AcquireResult& result);
 
 }  // namespace mien

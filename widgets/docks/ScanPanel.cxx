@@ -10,7 +10,6 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFontDatabase>
 #include <QLabel>
 #include <QMimeData>
 #include <QProgressBar>
@@ -27,11 +26,11 @@
 #include "FaceModel.h"
 #include "FaceView.h"
 #include "FramedButton.h"
-#include "GrowingText.h"
 #include "LengthUnit.h"
 #include "OverflowRow.h"
 #include "RangeBox.h"
 #include "ScanKey.h"
+#include "ScanReportView.h"
 
 namespace mien {
 
@@ -70,13 +69,13 @@ ScanPanel::ScanPanel(FaceModel* model, FaceView* view, QWidget* parent)
       frontal_(new QCheckBox(tr("Front only"), this)),
       largest_(new RangeBox("scanLargest", longestRange, this)),
       progress_(new QProgressBar(this)),
-      report_(new GrowingText(this)),
+      report_(new ScanReportView(this)),
       key_(new ScanKey(scanColor, view)) {
   setObjectName("scanPanel");
   describeButtons();
   describeMap();
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 6, 0, 0);
+  column->setContentsMargins(0, 4, 0, 0);
   column->setSpacing(4);
   column->addWidget(row("scanControls", {open_, landmarks_, unit_, adopt_, visible_}));
   column->addWidget(
@@ -115,11 +114,6 @@ void ScanPanel::describeButtons() {
   tellVisible();
   progress_->setObjectName("scanProgress");
   progress_->setFixedWidth(120);
-  report_->setObjectName("scanReport");
-  report_->setToolTip(tr("What was found on the scan; a line tells its details where the mouse rests on it"));
-  report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  report_->setFrameShape(QFrame::NoFrame);
-  report_->viewport()->setAutoFillBackground(false);
 }
 
 void ScanPanel::describeMap() {
@@ -325,16 +319,12 @@ bool ScanPanel::adopt(const QString& fileName) {
 }
 
 /// Distances of the shown face stand above it: whose these are has to be said.
-void ScanPanel::addReport(QStringList& lines, QStringList& details) const {
+void ScanPanel::addReport() {
   const bool isShown = !adopted_.isEmpty() && model_->state().curvesFile == adopted_.toStdString();
-  lines << (isShown ? tr("Curves measured from %1, which are the shown face:")
-                    : tr("Curves measured from %1, not adopted yet:"))
-               .arg(QFileInfo(file_).fileName());
-  details << file_;
-  for (const ScanReportLine& line : found_) {
-    lines << "  " + line.text();
-    details << line.detail;
-  }
+  const QString heading = isShown ? tr("Curves measured from %1, which are the shown face:")
+                                  : tr("Curves measured from %1, not adopted yet:");
+  report_->addLine(heading.arg(QFileInfo(file_).fileName()), file_);
+  report_->addLines(found_);
 }
 
 void ScanPanel::showReport() {
@@ -344,19 +334,16 @@ void ScanPanel::showReport() {
   adopt_->setEnabled(curves_ && !running);
   visible_->setEnabled(scan_ && !isHiddenByColors());
   for (QWidget* control : std::initializer_list<QWidget*>{subject_, largest_, frontal_}) control->setEnabled(scan_);
-  QStringList lines, details;
-  if (!map_->summary().isEmpty()) {
-    lines << map_->summary();
-    details << tr("95 % of the area are no further away than the 95th percentile");
-  }
+  report_->begin();
+  if (!map_->summary().isEmpty())
+    report_->addLine(map_->summary(), tr("95 % of the area are no further away than the 95th percentile"));
   if (running)
-    lines << tr("Measuring %1 ...").arg(QFileInfo(file_).fileName());
+    report_->addLine(tr("Measuring %1 ...").arg(QFileInfo(file_).fileName()));
   else if (found_.empty())
-    lines << tr("A scan opened here or dropped onto the dock is measured and shown over the face.");
+    report_->addLine(tr("A scan opened here or dropped onto the dock is measured and shown over the face."));
   else
-    addReport(lines, details);
-  report_->setDetails(details);
-  if (const QString text = lines.join('\n'); text != report_->toPlainText()) report_->setPlainText(text);
+    addReport();
+  report_->end();
 }
 
 /// Seen through a scan, colours of the face would not be those of their scale; and a scan that is coloured by distances

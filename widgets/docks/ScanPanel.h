@@ -23,9 +23,9 @@ namespace mien {
 class BackgroundTask;
 class FaceModel;
 class FaceView;
-class GrowingText;
 class RangeBox;
 class ScanKey;
+class ScanReportView;
 
 /// What face does a scan have, and how far is the present one from it? A scan is measured off the GUI thread and shown
 /// beside the face; its curves can become the face, and distances are shown as colours.
@@ -67,7 +67,7 @@ class ScanPanel : public QWidget, public SessionPart {
   void chooseLandmarks(bool on);
   void chooseAdopted();
   void showLandmarkFile();
-  void addReport(QStringList& lines, QStringList& details) const;
+  void addReport();
   void showReport();
   void showScan();
   bool isHiddenByColors() const;
@@ -83,7 +83,7 @@ class ScanPanel : public QWidget, public SessionPart {
   QCheckBox *visible_, *frontal_;
   RangeBox* largest_;
   QProgressBar* progress_;
-  GrowingText* report_;
+  ScanReportView* report_;
   ScanKey* key_;
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> curves_, scan_;

@@ -11,9 +11,6 @@ constexpr QSize most(540, 170);  // pixels that a dock may ask for
 }  // namespace
 
 DockScroll::DockScroll(QWidget* panel) {
-  setFrameShape(QFrame::NoFrame);
-  setWidgetResizable(true);
-  setFocusPolicy(Qt::NoFocus);
   setWidget(panel);
   panel->setAutoFillBackground(false);
   viewport()->setAutoFillBackground(false);
@@ -25,8 +22,7 @@ QSize DockScroll::sizeHint() const {
 
 QSize DockScroll::minimumSizeHint() const {
   const QSize whole = widget()->minimumSizeHint();
-  const int bar = whole.height() > most.height() ? verticalScrollBar()->sizeHint().width() : 0;
-  return QSize(whole.width() + bar, whole.height()).boundedTo(most);
+  return QSize(whole.width() + verticalScrollBar()->sizeHint().width(), whole.height()).boundedTo(most);
 }
 
 }  // namespace mien
