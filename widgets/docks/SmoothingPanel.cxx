@@ -44,6 +44,7 @@ constexpr double stepFactor = 1.1;  // of a, by an arrow key
 constexpr double smallestSmoothing = 0.001;
 constexpr const char* startRange = "0.1:100:31log";
 constexpr size_t mostValues = 1000;
+constexpr int saidWidth = 152;         // pixels: "31 values, log spaced", or the progress and its button
 constexpr int leastFigureWidth = 270;  // pixels beside the thumbnails
 constexpr double fewThumbnails = 0.6;  // of them, where the key of all schemes needs the width
 
@@ -126,7 +127,7 @@ SmoothingPanel::~SmoothingPanel() {
 
 void SmoothingPanel::describeControls() {
   measure_->setObjectName("smoothingMeasure");
-  measure_->setMinimumContentsLength(20);  // filled when the first sweep is there
+  measure_->setMinimumContentsLength(16);  // filled when the first sweep is there
   measure_->setToolTip(tr("What is drawn over a; departures are from the same scheme's surface at a = 1"));
   allSchemes_->setObjectName("smoothingAllSchemes");
   allSchemes_->setToolTip(tr("A line for every scheme; a marker above the plot where its surface ceases to be a face"));
@@ -142,7 +143,7 @@ void SmoothingPanel::describeControls() {
   range_->setProperty(acceptedText, range_->text());
   progress_->setObjectName("smoothingProgress");
   progress_->setToolTip(tr("How much of the sweep is computed"));
-  progress_->setMaximumWidth(120);
+  progress_->setMaximumWidth(84);
   progress_->setRange(0, 100);
   cancel_->setObjectName("smoothingCancel");
   cancel_->setText(tr("Cancel"));
@@ -159,7 +160,7 @@ QWidget* SmoothingPanel::controls() {
   row->addWidget(allSchemes_);
   row->addSpacing(10);
   row->addLabelled(tr("a from : to : number"), range_, 2);
-  row->addWidget(said(), 3);
+  row->addWidget(said());
   row->addStretch();
   row->addWidget(new ExportButton(
                      "smoothingExport", model_,
@@ -179,8 +180,7 @@ QWidget* SmoothingPanel::said() {
   row->addStretch();
   said_->addWidget(spacing_);
   said_->addWidget(sweep);
-  said_->setFixedWidth(
-      fontMetrics().horizontalAdvance(tr("%1 values, %2 to %3").arg(31).arg(0.1).arg(100) + tr(", log spaced")) + 8);
+  said_->setFixedWidth(saidWidth);
   said_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   return said_;
 }
@@ -263,8 +263,7 @@ bool SmoothingPanel::takeSubject(Subject& subject) {
 void SmoothingPanel::tellSpacing() {
   const QString text = range_->text();
   const int count = static_cast<int>(values_.size());
-  const auto [least, most] = std::minmax_element(values_.begin(), values_.end());
-  const QString values = count == 1 ? tr("1 value") : tr("%1 values, %2 to %3").arg(count).arg(*least).arg(*most);
+  const QString values = count == 1 ? tr("1 value") : tr("%1 values").arg(count);
   const QString spacing = text.contains(',') || !text.contains(':') ? QString()
                           : text.endsWith("log")                    ? tr(", log spaced")
                                                                     : tr(", evenly spaced");
