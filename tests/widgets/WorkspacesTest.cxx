@@ -169,11 +169,16 @@ TEST_F(Workspaces, DocksBelowNeverScrollSideways) {
     settle();
     for (int i : {2, 3, 4}) {
       choose(i);
-      for (const auto* area : window->findChildren<mien::DockScroll*>())
-        if (area->isVisible())
-          EXPECT_FALSE(area->horizontalScrollBar()->isVisible())
-              << i << " " << area->objectName().toStdString() << ": " << area->widget()->minimumSizeHint().width()
-              << " of " << area->viewport()->width();
+      for (const char* name : {"spectrumDock", "smoothingDock", "continuityDock", "deformationDock", "vectorsDock",
+                               "curvesDock", "textureDock"}) {
+        if (!dock(name)->isVisible()) continue;
+        dock(name)->raise();
+        settle();
+        const auto* area = find<mien::DockScroll>(QString(name) + "Scroll");
+        EXPECT_FALSE(area->horizontalScrollBar()->isVisible())
+            << i << " " << name << ": " << area->widget()->minimumSizeHint().width() << " of "
+            << area->viewport()->width();
+      }
     }
   }
 }

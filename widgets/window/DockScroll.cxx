@@ -22,7 +22,8 @@ QSize DockScroll::sizeHint() const {
 
 QSize DockScroll::minimumSizeHint() const {
   const QSize whole = widget()->minimumSizeHint();
-  return QSize(whole.width() + verticalScrollBar()->sizeHint().width(), whole.height()).boundedTo(most);
+  const int bar = whole.height() > most.height() ? verticalScrollBar()->sizeHint().width() : 0;
+  return QSize(whole.width() + bar, whole.height()).boundedTo(most);
 }
 
 }  // namespace mien
