@@ -28,7 +28,6 @@ constexpr const char* currentKey = "window/workspace";
 constexpr int leftWidth = 350, leastBelow = 320, leastOfRows = 368;  // pixels
 constexpr double shareBelow = 0.4;                                   // of the window, for docks with a picture
 constexpr double mostBelow = 0.44;             // of a low window, for the face is to be seen as well
-constexpr double mostOfRows = 0.44;            // of a low window, for docks with many rows
 constexpr int menuHeight = 26, separator = 6;  // pixels, of the theme
 constexpr int leastHeight = 150;               // pixels of the dock that takes what is left
 constexpr int high = 1000, wide = 900;         // pixels of a window with room for the FAPs; of one dock of several
