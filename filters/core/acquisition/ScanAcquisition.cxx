@@ -7,7 +7,6 @@
 #include "FaceAcquisition.h"
 #include "FaceRegistration.h"
 #include "FaceSearch.h"
-#include "FaceTurn.h"
 #include "NumberText.h"
 #include "RadialSkin.h"
 #include "TriangleDistance.h"
@@ -177,18 +176,25 @@ class Acquisition {
     return false;
   }
 
+  /// RMS distance from the reference's landmarks in the best pose and size, mm.
+  double misfitOf(const Similarity::Points& places) const {
+    const Eigen::VectorXd weights = Eigen::VectorXd::Ones(FaceLandmarks::count);
+    const Similarity motion = fitSimilarity(places, reference_.landmarks.points, weights, false);
+    return std::sqrt((motion.applied(places) - reference_.landmarks.points).rowwise().squaredNorm().mean());
+  }
+
   /// Places in another order, or vertices of another mesh, are no face in any pose and size.
   std::string describeShape() const {
-    const Similarity::Points& places = result_.landmarks.points;
-    const Similarity motion =
-        fitSimilarity(places, reference_.landmarks.points, Eigen::VectorXd::Ones(FaceLandmarks::count), false);
-    const double misfit =
-        std::sqrt((motion.applied(places) - reference_.landmarks.points).rowwise().squaredNorm().mean());
+    Similarity::Points places = result_.landmarks.points;
+    const double misfit = misfitOf(places);
     if (misfit <= largestLandmarkMisfit) return {};
-    if (isMirrored(result_.landmarks))
-      return "the landmarks are those of a mirrored face (they lie " + roundedText(misfit) +
-             " mm RMS from the generic ones): the scan is left-handed, or left and right are exchanged; turn one axis "
-             "of the scan round, or give landmarks whose left is the subject's own";
+    places.col(0) *= -1.0;
+    const double mirrored = misfitOf(places);
+    if (mirrored <= largestLandmarkMisfit)
+      return "the landmarks are those of a mirrored face (in the best pose and size they are " + roundedText(misfit) +
+             " mm RMS from the generic ones, mirrored " + roundedText(mirrored) +
+             "): the scan is left-handed, or left and right are exchanged; turn one axis of the scan round, or give "
+             "landmarks whose left is the subject's own";
     return "the landmarks do not lie as those of a face do: in the best pose and size they are " + roundedText(misfit) +
            " mm (RMS) from the generic ones (at most " + roundedText(largestLandmarkMisfit) +
            " are allowed); check their numbers, and whether vertices are those of this mesh";
