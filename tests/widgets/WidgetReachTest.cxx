@@ -143,17 +143,51 @@ double edgeContrast(QWidget& widget) {
 }
 
 /// WCAG 2.1 asks for 3:1 of what shows that there is something to press or to fill in.
-TEST_F(WidgetReach, BoxesAndFieldsHaveAnEdgeInTheDark) {
-  mien::Theme::apply(mien::Theme::Kind::Dark, *qApp);
-  QCheckBox box("box");
-  QLineEdit field;
-  QSpinBox number;
-  for (QWidget* widget : std::initializer_list<QWidget*>{&box, &field, &number}) {
-    widget->show();
-    settle();
-    EXPECT_GE(edgeContrast(*widget), 3.0) << widget->metaObject()->className();
+TEST_F(WidgetReach, BoxesAndFieldsHaveAnEdge) {
+  for (mien::Theme::Kind kind : {mien::Theme::Kind::Dark, mien::Theme::Kind::Light}) {
+    mien::Theme::apply(kind, *qApp);
+    QCheckBox box("box");
+    QLineEdit field;
+    QSpinBox number;
+    QComboBox list;
+    for (QWidget* widget : std::initializer_list<QWidget*>{&box, &field, &number, &list}) {
+      widget->show();
+      settle();
+      EXPECT_GE(edgeContrast(*widget), 3.0) << widget->metaObject()->className() << ", theme " << int(kind);
+    }
   }
-  mien::Theme::apply(mien::Theme::Kind::Light, *qApp);
+}
+
+/// As much for the handle of a scroll bar in its groove.
+TEST_F(WidgetReach, TheHandleOfAScrollBarIsSeen) {
+  for (mien::Theme::Kind kind : {mien::Theme::Kind::Dark, mien::Theme::Kind::Light}) {
+    mien::Theme::apply(kind, *qApp);
+    for (Qt::Orientation orientation : {Qt::Vertical, Qt::Horizontal}) {
+      QScrollBar bar(orientation);
+      bar.setRange(0, 100);
+      bar.setPageStep(100);  // half of it
+      bar.resize(orientation == Qt::Vertical ? QSize(bar.sizeHint().width(), 200)
+                                             : QSize(200, bar.sizeHint().height()));
+      bar.show();
+      settle();
+      const QImage picture = bar.grab().toImage();
+      const QPoint middle = picture.rect().center();
+      const QPoint along = orientation == Qt::Vertical ? QPoint(0, 50) : QPoint(50, 0);
+      EXPECT_GE(contrastOf(picture.pixelColor(middle - along), picture.pixelColor(middle + along)), 3.0) << int(kind);
+    }
+  }
+}
+
+/// Above the round corner of a box of a number there is nothing.
+TEST_F(WidgetReach, ABoxOfANumberHasCornersOfOneColor) {
+  for (auto symbols : {QAbstractSpinBox::NoButtons, QAbstractSpinBox::UpDownArrows}) {
+    QSpinBox number;
+    number.setButtonSymbols(symbols);
+    number.show();
+    settle();
+    const QImage picture = number.grab().toImage();
+    EXPECT_EQ(picture.pixelColor(0, 0), picture.pixelColor(picture.width() - 1, 0)) << symbols;
+  }
 }
 
 /// A ring of two pixels, on buttons that are flat, framed, or on.

@@ -4,11 +4,9 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
-#include <QRegularExpression>
 #include <QScrollBar>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "DefaultRegions.h"
 #include "NumberText.h"
@@ -20,9 +18,10 @@ namespace mien {
 namespace {
 
 constexpr int coefficientCount = 12, rmsColumn = 12, allColumns = 13;
-constexpr double noMovement = 1e-5;  // of the largest coefficient of a map: less moves nothing and reads 0
-constexpr double smaller = 0.85;     // of the application's letters: 13 columns in half a window
-constexpr int lineHeight = 21, shownRows = 10, leastWidth = 44, headerMargins = 14;  // pixels
+constexpr int decimalsOfColumn =
+    2;                            // half of the last one is what a number differs at least from its mean to stand out
+constexpr double smaller = 0.85;  // of the application's letters: 13 columns in half a window
+constexpr int shownRows = 10, leastWidth = 44, headerMargins = 14;  // pixels
 constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
 constexpr const char* shortUnits[] = {"1/pu", "1/pu", "1/pu", "\u2013", "\u2013", "pu"};
 constexpr const char* units[] = {"1/pupil unit", "1/pupil unit", "1/pupil unit", "no unit", "no unit", "pupil units"};
@@ -41,17 +40,18 @@ QString sideText(int side) {
                     : CoefficientTable::tr("above");
 }
 
-/// Two decimals, or one digit of what would read 0.00; 0 for what is nothing beside the largest of its map.
-/// A third decimal, where the number would else read as the limit that it lies beyond.
-QString cellText(double value, double largest, std::optional<double> limit) {
-  const double size = std::abs(value);
-  if (size < noMovement * largest) return QStringLiteral("0");
-  const QString two = QString::number(value, 'f', 2);
-  const bool readsAsLimit = limit && two == QString::number(*limit, 'f', 2);
-  const QString three =
-      QString::number(value, 'f', 3).remove(QRegularExpression("\\b0(?=\\.)"));  // as wide as the column allows
-  const QString text = size < 0.005 ? QString::number(value, 'e', 0).replace("e-0", "e-") : readsAsLimit ? three : two;
-  return QString(text).replace('-', QChar(0x2212));
+/// With so many decimals, and the sign of what does not read 0.
+QString cellText(double value, int decimals) {
+  const QString text = QString::number(value, 'f', decimals);
+  return text.toDouble() == 0.0 ? QString::number(0.0, 'f', decimals) : QString(text).replace('-', QChar(0x2212));
+}
+
+/// Of all numbers in a column, so that it reads as one: fewer where the largest would not fit.
+int decimalsOf(const DeformationTable& table, int coefficient) {
+  double largest = 0.0;
+  for (int region = 1; region <= DeformationTable::regionCount; ++region)
+    largest = std::max(largest, std::abs(valueOf(table, region, coefficient)));
+  return std::clamp(decimalsOfColumn - static_cast<int>(std::log10(std::max(largest, 1.0))), 0, decimalsOfColumn);
 }
 
 QString regionText(int region) {
@@ -97,7 +97,7 @@ void CoefficientTable::addHeaders() {
     auto* header = new QTableWidgetItem(name + '\n' + QString::fromUtf8(shortUnits[i % 6]));
     header->setToolTip(tr("%1: factor of %2 in %3' (%4; pu is one pupil unit, half the distance of the pupils); the "
                           "scale below a number is mean \u00b1 sd of the expression, red and bold what lies "
-                          "outside it by more than 0.005")
+                          "outside it and differs from the mean by more than 0.5 % of the region's largest factor")
                            .arg(name, QString::fromUtf8(factors[i % 6]), i < 6 ? "x" : "y", units[i % 6]));
     setHorizontalHeaderItem(i, header);
   }
@@ -118,9 +118,6 @@ void CoefficientTable::addHeaders() {
   horizontalHeader()->setMinimumSectionSize(leastWidth);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   horizontalHeader()->setHighlightSections(false);
-  verticalHeader()->setMinimumSectionSize(lineHeight);
-  verticalHeader()->setDefaultSectionSize(lineHeight);
-  verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
 }
 
 void CoefficientTable::addCells() {
@@ -149,16 +146,17 @@ void CoefficientTable::fillCoefficient(int region, int coefficient) {
   const double value = valueOf(table_, region, coefficient);
   const double difference = hasMean_ ? value - valueOf(mean_, region, coefficient) : 0.0;
   const double deviation = hasMean_ ? deviationOf(mean_, region, coefficient) : 0.0;
-  const double largest = table_.maps[region - 1].coefficients.cwiseAbs().maxCoeff();
   const int side = hasMean_ ? sideOfRange(table_, mean_, region, coefficient) : 0;
+  const int decimals = decimalsOf(table_, coefficient);
+  const QString limit = cellText(value - difference + side * deviation, decimals);
   QTableWidgetItem* cell = item(region - 1, coefficient);
-  cell->setText(
-      cellText(value, largest, side == 0 ? std::nullopt : std::make_optional(value - difference + side * deviation)));
-  cell->setData(RangeDelegate::outsideRole, side != 0);
+  cell->setText(cellText(value, decimals));
+  const bool standsOut = side != 0 && cell->text() != limit;  // beyond the limit as it would be read
+  cell->setData(RangeDelegate::outsideRole, standsOut);
   cell->setToolTip(hasMean_ ? wordsOf(region, coefficient) : QString());
   cell->setData(RangeDelegate::placeRole, deviation > 0.0 ? QVariant(difference / deviation) : QVariant());
   QFont font = this->font();
-  font.setBold(side != 0);
+  font.setBold(standsOut);
   cell->setFont(font);
   cell->setData(Qt::AccessibleTextRole, tr("region %1, %2: %3, %4")
                                             .arg(region)
@@ -181,7 +179,7 @@ QString CoefficientTable::detail() const {
 
 QString CoefficientTable::legend() const {
   if (!shown_ || !hasMean_) return tr("Choose a coefficient to read it with its range.");
-  return tr("Red and bold: outside mean \u00b1 sd of %1 by more than 0.005").arg(QString::fromStdString(meanName_));
+  return tr("Red and bold: outside mean \u00b1 sd of %1").arg(QString::fromStdString(meanName_));
 }
 
 QString CoefficientTable::wordsOf(int region, int coefficient) const {
@@ -221,7 +219,7 @@ std::string CoefficientTable::text() const {
 QSize CoefficientTable::sizeHint() const {
   return {
       allColumns * leastWidth + verticalHeader()->width() + verticalScrollBar()->sizeHint().width() + 2 * frameWidth(),
-      shownRows * lineHeight + horizontalHeader()->sizeHint().height()};
+      shownRows * leastLine + horizontalHeader()->sizeHint().height()};
 }
 
 }  // namespace mien

@@ -8,8 +8,8 @@
 
 namespace mien {
 
-/// A table's 16 x 12 coefficients, each with the range mean +- sd of an expression. Numbers outside are
-/// red and bold, and off the range on their scale. Ctrl+C copies all of it as CSV.
+/// A table's 16 x 12 coefficients, each with the range mean +- sd of an expression. Numbers that read
+/// outside are red and bold, and off the range on their scale. Ctrl+C copies all of it as CSV.
 class CoefficientTable : public QTableWidget {
   Q_OBJECT
  public:
@@ -30,6 +30,8 @@ class CoefficientTable : public QTableWidget {
   std::string text() const;
 
   QSize sizeHint() const override;
+
+  static constexpr int leastLine = 18, mostLine = 40;  ///< pixels of a row: number and scale, and a loose one
 
  private:
   void addHeaders();

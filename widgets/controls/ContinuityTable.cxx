@@ -15,8 +15,8 @@ namespace mien {
 namespace {
 
 constexpr double smallest = 1e-3;
-constexpr int lineOfTable = 20, headMargins = 8;  // pixels
-constexpr double smallerHeads = 0.85;             // of the application's letters: seven heads in half a dock
+constexpr int headMargins = 8;         // pixels
+constexpr double smallerHeads = 0.85;  // of the application's letters: seven heads in half a dock
 
 QString seamNumberText(double value) {
   if (!std::isfinite(value)) return QStringLiteral("\u2013");
@@ -37,9 +37,6 @@ ContinuityTable::ContinuityTable(QWidget* parent) : QTableWidget(parent) {
   setShowGrid(false);
   setFrameShape(QFrame::NoFrame);
   verticalHeader()->hide();
-  verticalHeader()->setMinimumSectionSize(lineOfTable);
-  verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  verticalHeader()->setDefaultSectionSize(lineOfTable);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   horizontalHeader()->setHighlightSections(false);
   QFont small = horizontalHeader()->font();
@@ -92,7 +89,7 @@ void ContinuityTable::setFault(int row, const QString& why) {
 }
 
 QSize ContinuityTable::sizeHint() const {
-  return {470, 9 * lineOfTable + 40};
+  return {470, 9 * leastLine + 40};
 }
 
 }  // namespace mien

@@ -21,6 +21,8 @@ class ContinuityTable : public QTableWidget {
   void setFault(int row, const QString& why);
 
   QSize sizeHint() const override;
+
+  static constexpr int leastLine = 20, mostLine = 28;  ///< pixels of a row
 };
 
 }  // namespace mien

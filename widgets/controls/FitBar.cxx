@@ -101,16 +101,15 @@ void FitBar::showFit() {
   save_->setEnabled(moves);
   status_->setToolTip(tr(
       "How well 16 quadratic maps from A to the present face fit: the root mean square of what is left, in pupil units "
-      "(half the distance of the pupils)"));
+      "(pu, half the distance of the pupils)"));
   if (!fit) return status_->setText(tr("The fit is being computed."));
   if (!fit->fault.isEmpty()) return status_->setText(fit->fault);
   if (!moves) return status_->setText(tr("A: %1. The present face is A; move it.").arg(present_->neutralText()));
   const auto worst = std::max_element(fit->rms.begin(), fit->rms.end());
-  status_->setText(tr("RMS %1, up to %2 (region %3). A: %4")
-                       .arg(fit->totalRms, 0, 'f', 4)
-                       .arg(*worst, 0, 'f', 4)
-                       .arg(worst - fit->rms.begin() + 1)
-                       .arg(present_->neutralText()));
+  status_->setText(tr("RMS %1 pu, up to %2 pu (region %3)")
+                       .arg(fit->totalRms, 0, 'f', 3)
+                       .arg(*worst, 0, 'f', 3)
+                       .arg(worst - fit->rms.begin() + 1));
   if (!fit->warning.isEmpty()) status_->setToolTip(fit->warning);
 }
 

@@ -29,6 +29,7 @@
 #include "RoundedUp.h"
 #include "SeamMeasureKind.h"
 #include "SurfaceParameters.h"
+#include "WholeRows.h"
 
 namespace mien {
 
@@ -71,7 +72,9 @@ ContinuityPanel::ContinuityPanel(FaceModel* model, FaceView* view, QWidget* pare
   column->setContentsMargins(8, 4, 8, 6);
   column->setSpacing(4);
   column->addWidget(controls());
-  column->addWidget(new FlipBox(table_, figure_, 1, 1, this), 1);
+  column->addWidget(new FlipBox(new WholeRows(table_, ContinuityTable::leastLine, ContinuityTable::mostLine, this),
+                                figure_, 1, 1, this),
+                    1);
   connectControls();
   new LiveUpdate(
       model, this, [this] { refresh(); }, [this] { return overlay_->isShown(); });

@@ -30,6 +30,7 @@
 #include "PresentTable.h"
 #include "RecognitionFigure.h"
 #include "RegionOverlay.h"
+#include "WholeRows.h"
 
 namespace mien {
 
@@ -58,9 +59,11 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
       coefficients_(new CoefficientTable(this)),
       figure_(new FigureView("deformationFigure", FigureView::Marker::Band, this)),
       pages_(new QStackedWidget(this)),
+      range_(new QWidget(this)),
       shown_(new QComboBox(this)),
       mean_(new QComboBox(this)),
       detail_(new ElidedLabel(this)),
+      origin_(new ElidedLabel(this)),
       expression_(new ElidedLabel(this)),
       unit_(new QLabel(tr("Not explained (pu)"), figure_)),
       onFace_(new QToolButton(this)) {
@@ -71,15 +74,16 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
   column->setContentsMargins(8, 4, 8, 6);
   column->setSpacing(4);
   column->addWidget(controls());
-  column->addWidget(new FitBar(model_, present_, this));
+  column->addWidget(fitRow());
   auto* results = new QWidget(pages_);
   auto* rows = new QVBoxLayout(results);
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setSpacing(4);
-  auto* both = new FlipBox(coefficients_, expressionColumn(), 3, 1, this);
+  auto* both = new FlipBox(new WholeRows(coefficients_, CoefficientTable::leastLine, CoefficientTable::mostLine, this),
+                           expressionColumn(), 3, 1, this);
   both->showAllOfFirst(leastFigure);
   rows->addWidget(both, 1);
-  rows->addWidget(rangeRow());
+  rows->addWidget(detailRow());
   pages_->addWidget(emptyState());
   pages_->addWidget(results);
   column->addWidget(pages_, 1);
@@ -109,6 +113,9 @@ void DeformationPanel::describeControls() {
   detail_->setObjectName("deformationDetail");
   expression_->setObjectName("deformationExpression");
   detail_->setProperty("faint", true);
+  origin_->setObjectName("deformationOrigin");
+  origin_->setProperty("faint", true);
+  origin_->setToolTip(tr("The neutral face A that the table is fitted from"));
   expression_->setProperty("heading", true);
   figure_->setMinimumWidth(leastFigure);
   figure_->setAccessibleName(tr("Movement that each expression does not explain"));
@@ -152,15 +159,31 @@ EmptyState* DeformationPanel::emptyState() {
   return empty;
 }
 
-/// Whose coefficients the table shows, and the one that is chosen in words.
-QWidget* DeformationPanel::rangeRow() {
+/// The fit, and whose coefficients the table shows.
+QWidget* DeformationPanel::fitRow() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(new FitBar(model_, present_, this), 1);
+  auto* choices = new QHBoxLayout(range_);
+  choices->setContentsMargins(0, 0, 0, 0);
+  choices->addWidget(shown_);
+  choices->addWidget(new QLabel(tr("against"), range_));
+  choices->addWidget(mean_);
+  QSizePolicy policy = range_->sizePolicy();
+  policy.setRetainSizeWhenHidden(true);  // the status keeps its place
+  range_->setSizePolicy(policy);
+  row->addWidget(range_);
+  return box;
+}
+
+/// The coefficient that is chosen in words, and what the table was fitted from.
+QWidget* DeformationPanel::detailRow() {
   auto* box = new QWidget(this);
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(detail_, 1);
-  row->addWidget(shown_);
-  row->addWidget(new QLabel(tr("against"), box));
-  row->addWidget(mean_);
+  row->addWidget(origin_);
   return box;
 }
 
@@ -273,6 +296,7 @@ void DeformationPanel::showCoefficients() {
   const std::string& name = PresentTable::expressions()[mean];
   coefficients_->show(table, name, none ? nullptr : namedTable(name), ofPresent ? &*fit : nullptr);
   detail_->setText(coefficients_->detail());
+  origin_->setText(ofPresent ? tr("A: %1").arg(present_->neutralText()) : QString());
 }
 
 /// Numbers that say nothing, of a face that does not move, give way to what can be done. A table that is chosen is
@@ -282,6 +306,7 @@ void DeformationPanel::showPage() {
   const bool moves = fit && (!fit->fault.isEmpty() || fit->moves());
   const bool isChosen = shown_->currentIndex() == Chosen && !model_->state().deformation.table.empty();
   pages_->setCurrentIndex(moves || isChosen ? 1 : 0);
+  range_->setVisible(moves || isChosen);
 }
 
 /// @param asked  by the user, for this region; else a region that is on the face already gives way to the next

@@ -36,7 +36,8 @@ class DeformationPanel : public QWidget {
 
  private:
   QWidget* controls();
-  QWidget* rangeRow();
+  QWidget* fitRow();
+  QWidget* detailRow();
   QWidget* expressionColumn();
   EmptyState* emptyState();
   void describeControls();
@@ -56,8 +57,9 @@ class DeformationPanel : public QWidget {
   CoefficientTable* coefficients_;
   FigureView* figure_;
   QStackedWidget* pages_;
+  QWidget* range_;
   QComboBox *shown_, *mean_;
-  ElidedLabel *detail_, *expression_;
+  ElidedLabel *detail_, *origin_, *expression_;
   QLabel* unit_;
   QToolButton* onFace_;
 };

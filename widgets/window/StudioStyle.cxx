@@ -24,7 +24,7 @@ void drawListFrame(const QStyleOptionComboBox& option, const QRect& arrowArea, Q
   const bool isEnabled = option.state & QStyle::State_Enabled, hasFocus = option.state & QStyle::State_HasFocus;
   const bool isUnder = isEnabled && (option.state & QStyle::State_MouseOver);
   const QPalette& colors = option.palette;
-  const QColor accent = colors.color(QPalette::Highlight), line = colors.color(QPalette::Mid);
+  const QColor accent = colors.color(QPalette::Highlight), line = Theme::current().edge;
   const double width = hasFocus ? ringWidth : 1.0;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -65,7 +65,10 @@ void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
   if (control != CC_SpinBox || !number) return QProxyStyle::drawComplexControl(control, option, painter, widget);
   QStyleOptionSpinBox edged = *number;
   setEdge(edged.palette);
+  painter->save();
+  painter->setClipRect(number->rect.adjusted(0, 1, 0, 0), Qt::IntersectClip);  // Fusion leaves a dot above the corner
   QProxyStyle::drawComplexControl(control, &edged, painter, widget);
+  painter->restore();
 }
 
 void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,

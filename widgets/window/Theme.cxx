@@ -25,7 +25,7 @@ Theme light() {
   theme.text = "#1f2933";
   theme.faintText = "#5f6c7b";
   theme.line = "#d5dae1";
-  theme.edge = theme.window.darker(140);  // as of Fusion
+  theme.edge = "#767f8b";
   theme.accent = "#2f6fb2";
   theme.accentText = "#ffffff";
   theme.error = "#b3372f";
@@ -139,6 +139,15 @@ QToolButton[checkable="true"]:focus, QToolButton[checkable="true"]:checked:focus
 QHeaderView { background: @window; }
 QHeaderView::section { background: @window; border: none; border-bottom: 1px solid @line; padding: 2px 4px; }
 QTableCornerButton::section { background: @window; border: none; border-bottom: 1px solid @line; }
+QScrollBar { background: @window; border: none; }
+QScrollBar:vertical { width: 12px; }
+QScrollBar:horizontal { height: 12px; }
+QScrollBar::handle { background: @edge; border-radius: 4px; margin: 2px; }
+QScrollBar::handle:vertical { min-height: 24px; }
+QScrollBar::handle:horizontal { min-width: 24px; }
+QScrollBar::handle:hover, QScrollBar::handle:pressed { background: @faint; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; border: none; }
+QScrollBar::add-page, QScrollBar::sub-page { background: @window; }
 QListWidget#manualContents::item { padding: 3px 4px; }
 QListWidget#plotFAPs { border: 1px solid @line; border-radius: 4px; }
 QListWidget#plotFAPs::item { color: @faint; }
@@ -156,6 +165,7 @@ QString styleSheet(const Theme& theme) {
   text.replace("@accentText", theme.accentText.name()).replace("@accent", theme.accent.name());
   text.replace("@window", theme.window.name()).replace("@panel", theme.panel.name());
   text.replace("@text", theme.text.name()).replace("@faint", theme.faintText.name());
+  text.replace("@edge", theme.edge.name());
   text.replace("@line", theme.line.name()).replace("@error", theme.error.name());
   return text.replace("@warning", theme.warning.name()).replace("@disabled", disabledText(theme).name());
 }

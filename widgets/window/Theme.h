@@ -13,7 +13,7 @@ struct Theme {
 
   Kind kind;
   QColor window, panel, text, faintText, line, accent, accentText, error, warning;
-  QColor edge;                      ///< around check boxes and fields
+  QColor edge;                      ///< around check boxes, lists and fields, and the handles of scroll bars
   QColor viewTop, viewBottom;       ///< background of a view, from top to bottom
   QColor skin, skinInside, mesh;    ///< the face from outside and inside, and its mesh lines
   QColor curve, curveMoved, ghost;  ///< boundary curves at rest, moved by 10 mm, and where they were

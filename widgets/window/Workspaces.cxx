@@ -25,13 +25,14 @@ namespace {
 
 constexpr int version = 2;  // of the docks; one more when their names change
 constexpr const char* currentKey = "window/workspace";
-constexpr int leftWidth = 350, leastBelow = 320;  // pixels
-constexpr double shareBelow = 0.4;                // of the window, for docks with a picture
-constexpr double mostBelow = 0.42;                // of a low window, for the face is to be seen as well
-constexpr int menuHeight = 26, separator = 6;     // pixels, of the theme
-constexpr int leastHeight = 150;                  // pixels of the dock that takes what is left
-constexpr int high = 1000, wide = 900;            // pixels of a window with room for the FAPs; of one dock of several
-constexpr int narrow = 1200;                      // pixels of a window in which a dock needs all of the width
+constexpr int leftWidth = 350, leastBelow = 320, leastOfRows = 368;  // pixels
+constexpr double shareBelow = 0.4;                                   // of the window, for docks with a picture
+constexpr double mostBelow = 0.42;             // of a low window, for the face is to be seen as well
+constexpr double mostOfRows = 0.44;            // of a low window, for docks with many rows
+constexpr int menuHeight = 26, separator = 6;  // pixels, of the theme
+constexpr int leastHeight = 150;               // pixels of the dock that takes what is left
+constexpr int high = 1000, wide = 900;         // pixels of a window with room for the FAPs; of one dock of several
+constexpr int narrow = 1200;                   // pixels of a window in which a dock needs all of the width
 
 constexpr const char* growing = "fapDock";
 
@@ -46,6 +47,7 @@ QByteArray keyOf(int workspace) {
 struct Workspaces::Workspace {
   const char *title, *mnemonic, *purpose;
   QStringList left, below;
+  bool hasRows;  // below: a table or a report
 };
 
 const std::array<Workspaces::Workspace, Workspaces::count>& Workspaces::all() {
@@ -53,22 +55,26 @@ const std::array<Workspaces::Workspace, Workspaces::count>& Workspaces::all() {
                                                             QT_TR_NOOP("&Animate"),
                                                             QT_TR_NOOP("Expressions, FAPs and .fap files"),
                                                             {"expressionDock", "fapDock", "surfaceDock"},
-                                                            {}},
+                                                            {},
+                                                            false},
                                                            {QT_TR_NOOP("Surface"),
                                                             QT_TR_NOOP("&Surface"),
                                                             QT_TR_NOOP("How scheme, a and N shape the surface"),
                                                             {"surfaceDock", "expressionDock"},
-                                                            {"spectrumDock", "smoothingDock", "continuityDock"}},
+                                                            {"spectrumDock", "smoothingDock", "continuityDock"},
+                                                            false},
                                                            {QT_TR_NOOP("Deform"),
                                                             QT_TR_NOOP("&Deform"),
                                                             QT_TR_NOOP("Facial deformation tables and motion"),
                                                             {"expressionDock", "fapDock"},
-                                                            {"deformationDock", "vectorsDock"}},
+                                                            {"deformationDock", "vectorsDock"},
+                                                            true},
                                                            {QT_TR_NOOP("Acquire"),
                                                             QT_TR_NOOP("A&cquire"),
                                                             QT_TR_NOOP("Curves of a scan, and textures"),
                                                             {"surfaceDock", "expressionDock"},
-                                                            {"curvesDock", "textureDock"}}}};
+                                                            {"curvesDock", "textureDock"},
+                                                            true}}};
   return workspaces;
 }
 
@@ -188,8 +194,9 @@ QList<QDockWidget*> Workspaces::placeBelow(const QList<QDockWidget*>& below) {
 }
 
 void Workspaces::giveSizes(const QList<QDockWidget*>& left, const QList<QDockWidget*>& below) {
-  const double wanted = std::max<double>(leastBelow, shareBelow * window_->height());
-  const int height = static_cast<int>(std::min(wanted, mostBelow * window_->height()));
+  const bool rows = all()[current_].hasRows;
+  const double wanted = std::max<double>(rows ? leastOfRows : leastBelow, shareBelow * window_->height());
+  const int height = static_cast<int>(std::min(wanted, (rows ? mostOfRows : mostBelow) * window_->height()));
   const bool isFull = window_->corner(Qt::BottomLeftCorner) == Qt::LeftDockWidgetArea;
   giveHeights(left, window_->height() - menuHeight - (isFull || below.isEmpty() ? 0 : height + separator));
   window_->resizeDocks(left, QList<int>::fromVector(QVector<int>(left.size(), leftWidth)), Qt::Horizontal);
