@@ -64,12 +64,13 @@ struct vtkFAPAnimationFilter::Internals {
   vtkPolyData* BoundInput = nullptr;                    // compared with, never used
   vtkMTimeType BoundTime = 0;
   std::set<int> Ignored;
-  double LargestPushed = 0.0, LargestClamped = 0.0;
+  double LargestPushed = 0.0, LargestClamped = 0.0, SmallestKept = 1.0;
   int Load = 0;  // of the animation file that these belong to
 
   void forgetResults() {
     Ignored.clear();
     LargestPushed = LargestClamped = 0.0;
+    SmallestKept = 1.0;
   }
 };
 
@@ -222,6 +223,10 @@ double vtkFAPAnimationFilter::GetLargestPushed() const {
   return this->Impl->LargestPushed;
 }
 
+double vtkFAPAnimationFilter::GetSmallestKeptShare() const {
+  return this->Impl->SmallestKept;
+}
+
 double vtkFAPAnimationFilter::GetLargestContactClamped() const {
   return this->Impl->LargestClamped;
 }
@@ -299,6 +304,7 @@ void vtkFAPAnimationFilter::NoteResults(const mien::FAPFrame& frame) {
   Internals& impl = *this->Impl;
   impl.LargestPushed = std::max(impl.LargestPushed, impl.Animator.pushed());
   impl.LargestClamped = std::max(impl.LargestClamped, impl.Animator.contactClamped());
+  impl.SmallestKept = std::min(impl.SmallestKept, impl.Animator.keptShare());
   const size_t known = impl.Ignored.size();
   for (const int fap : impl.Animator.ignoredFAPs(frame)) impl.Ignored.insert(fap);
   if (impl.Ignored.size() > known) this->InvokeEvent(IgnoredFAPsEvent);
