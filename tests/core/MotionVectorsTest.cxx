@@ -273,6 +273,44 @@ TEST(VectorPicture, ShowsTheFrontAndProjectsExactly) {
   EXPECT_NEAR(picture.frame.sizes().x(), 100.0, 0.5);
 }
 
+/// A sheet of 40 x 80 mm, 50 mm in front of one that reaches `beyond` its right edge.
+mien::MotionField sheetsField(double beyond) {
+  mien::MotionField field;
+  const auto addSheet = [&](double right, double top, double depth) {
+    const int across = static_cast<int>(std::lround(right + 40.0)), up = static_cast<int>(std::lround(2.0 * top));
+    mien::TriangleMesh& mesh = field.surface;
+    const int first = static_cast<int>(mesh.vertices.rows()), cells = static_cast<int>(mesh.triangles.rows());
+    mesh.vertices.conservativeResize(first + (across + 1) * (up + 1), 3);
+    mesh.triangles.conservativeResize(cells + 2 * across * up, 3);
+    for (int y = 0, t = cells; y <= up; ++y)
+      for (int x = 0; x <= across; ++x) {
+        const int at = first + y * (across + 1) + x;
+        mesh.vertices.row(at) << x - 40.0, y - top, depth;
+        if (x == across || y == up) continue;
+        mesh.triangles.row(t++) << at, at + 1, at + across + 1;
+        mesh.triangles.row(t++) << at + 1, at + across + 2, at + across + 1;
+      }
+  };
+  addSheet(0.0, 40.0, 50.0);
+  addSheet(beyond, 30.0, 0.0);
+  field.surfaceNormals = mien::vertexNormals(field.surface);
+  return field;
+}
+
+TEST(VectorPicture, ASliverBehindTheOutlineIsLeftOut) {
+  for (const double beyond : {2.0, 5.0, 7.0, 10.0, 20.0}) {
+    const mien::VectorPicture picture = mien::drawnVectors(sheetsField(beyond), {});
+    double right = -1e9, length = 0.0;
+    for (const auto& line : picture.outline) {
+      right = std::max(right, line.col(0).maxCoeff());
+      for (int i = 1; i < line.rows(); ++i) length += (line.row(i) - line.row(i - 1)).norm();
+    }
+    const bool isSliver = beyond < 8.0;
+    EXPECT_EQ(right, isSliver ? 0.0 : beyond);
+    EXPECT_NEAR(length, isSliver ? 240.0 : 240.0 + 60.0 + 2.0 * beyond, 4.0) << beyond;
+  }
+}
+
 TEST(VectorPicture, ZeroMotionHasNoArrows) {
   const mien::VectorPicture picture = mien::drawnVectors(sphereField({0.0, 0.0, 0.0}), {});
   EXPECT_TRUE(picture.arrows.empty());

@@ -3,10 +3,12 @@
 #include <cmath>
 
 #include "ComparedSurfaces.h"
+#include "CoveredParts.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPoints.h"
 #include "vtkTable.h"
+#include "vtkUnsignedCharArray.h"
 
 TEST(SurfaceCover, OnlyWhatTheOtherSurfaceCoversCounts) {
   Comparison planes(plane(10.0, 3.5, 20), plane(20.0, 1.0, 40));  // of the larger one a quarter is covered
@@ -65,4 +67,40 @@ TEST(SurfaceCover, SurfacesThatDoNotCoverEachOtherAreRefused) {
   EXPECT_NE(planes.errors.first().find("no point of the surface is covered by the reference mesh"), std::string::npos)
       << planes.errors.first();
   EXPECT_EQ(planes.filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+/// A hole of 5 x 5 points in a covered plane is no part, and the edge is straight where a point on it changes to and
+/// fro.
+TEST(SurfaceCover, PartsThatAreNotCoveredAreCutOffAlongASmoothEdge) {
+  vtkNew<vtkPolyData> surface;
+  surface->DeepCopy(plane(20.0, 1.0, 40));
+  vtkNew<vtkUnsignedCharArray> covered;
+  vtkNew<vtkDoubleArray> distances;
+  covered->SetName("Covered");
+  distances->SetName("Distance");
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
+    const double* p = surface->GetPoint(i);
+    const double edge = std::lround(p[1]) % 2 == 0 ? 10.4 : 9.4;  // a zigzag about x = 9.9
+    covered->InsertNextValue(p[0] < edge && std::max(std::abs(p[0]), std::abs(p[1])) > 2.5);
+    distances->InsertNextValue(3.0);
+  }
+  surface->GetPointData()->AddArray(covered);
+  surface->GetPointData()->AddArray(distances);
+  const auto cut = mien::coveredApart(surface);
+  vtkDataArray* cutDistances = cut->GetPointData()->GetArray("Distance");
+  double low = 1e9, high = -1e9;
+  for (vtkIdType i = 0; i < cut->GetNumberOfPoints(); ++i) {
+    const double* p = cut->GetPoint(i);
+    if (std::isfinite(cutDistances->GetTuple1(i))) {
+      EXPECT_NEAR(cutDistances->GetTuple1(i), 3.0, 1e-12);
+      if (p[0] > 8.0 && std::abs(p[1]) < 15.0 && p[0] > high) high = p[0];
+    } else {
+      low = std::min(low, std::abs(p[1]) < 15.0 ? p[0] : low);
+    }
+  }
+  EXPECT_NEAR(low, 9.9, 0.4);
+  EXPECT_NEAR(high, 9.9, 0.4);
+  EXPECT_GT(cut->GetNumberOfPoints(), surface->GetNumberOfPoints());
+  covered->Fill(1.0);
+  EXPECT_EQ(mien::coveredApart(surface), surface.Get());
 }

@@ -1,7 +1,9 @@
 #include <vtkAppendPolyData.h>
 #include <vtkCamera.h>
+#include <vtkDataArray.h>
 #include <vtkMatrix4x4.h>
 #include <vtkPlaneSource.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
@@ -11,6 +13,7 @@
 #include <QToolButton>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "Comparison.h"
 #include "ElidedLabel.h"
@@ -54,6 +57,17 @@ class ViewFit : public StudioFixture {
     find<mien::ViewArea>("viewArea")->comparison()->compareScheme(scheme);
     settle();
   }
+  static void expectUncountedWithoutNumber(vtkPolyData* drawn, double below) {
+    vtkDataArray* distances = drawn->GetPointData()->GetArray("Distance");
+    ASSERT_TRUE(distances);
+    int without = 0;
+    for (vtkIdType i = 0; i < drawn->GetNumberOfPoints(); ++i) {
+      const bool isUncounted = drawn->GetPoint(i)[1] < below;
+      without += isUncounted;
+      ASSERT_EQ(std::isnan(distances->GetComponent(i, 0)), isUncounted) << i;
+    }
+    EXPECT_GT(without, 300);
+  }
   QStringList cutTitles() {
     QStringList cut;
     for (auto* label : find<QWidget>("viewArea")->findChildren<mien::ElidedLabel*>())
@@ -95,6 +109,36 @@ TEST_F(ViewFit, TheFaceAtRestIsNotSmall) {
   EXPECT_TRUE(high - low > 2.0 * 0.75 || aside > 0.8) << low << " " << high << " " << aside;
 }
 
+/// Linked views show the face equally large, whatever it is coloured by.
+TEST_F(ViewFit, TheFaceAndItsCurvesAreOfOneScale) {
+  const auto *face = find<mien::RenderView>("faceView"), *curves = find<mien::RenderView>("curveView");
+  for (const QSize size : {QSize(1000, 700), QSize(1280, 800), QSize(2560, 1440)}) {
+    window->resize(size);
+    settle();
+    const double before = distance("faceView");
+    for (const char* color : {"Displacement (mm)", "Patches", "Skin"}) {
+      find<QComboBox>("colorBy")->setCurrentText(color);
+      settle();
+      EXPECT_EQ(face->height(), curves->height()) << color << ", " << size.width();
+      EXPECT_NEAR(face->width(), curves->width(), 1) << color << ", " << size.width();
+      EXPECT_NEAR(distance("faceView") / distance("curveView"), 1.0, 0.005) << color << ", " << size.width();
+      EXPECT_EQ(distance("faceView"), before) << color << ", " << size.width();
+    }
+  }
+}
+
+/// Whatever waits behind "more", the way back does not.
+TEST_F(ViewFit, AComparisonCanAlwaysBeClosed) {
+  for (const QSize size : {QSize(1280, 800), QSize(1000, 700)}) {
+    window->resize(size);
+    compareScheme("tangent");
+    const auto* close = find<QToolButton>("compareClear");
+    EXPECT_TRUE(close->isVisible()) << size.width();
+    EXPECT_GE(close->width(), close->sizeHint().width());
+    find<mien::ViewArea>("viewArea")->comparison()->clear();
+  }
+}
+
 /// Titles say which is which: buttons leave first. Numbers keep their unit.
 TEST_F(ViewFit, TitlesAndNumbersAreWhole) {
   for (const QSize size : {QSize(1280, 800), QSize(1000, 700)}) {
@@ -113,8 +157,8 @@ TEST_F(ViewFit, TitlesAndNumbersAreWhole) {
   }
 }
 
-/// A mesh that reaches further than the face is whole, at the scale of A; the numbers are of what lies opposite.
-TEST_F(ViewFit, AHeadIsWholeAndItsNeckIsNotCounted) {
+/// What of a head lies opposite the face is as large as the face alone would be; its neck has no number and is grey.
+TEST_F(ViewFit, TheFaceOfAHeadIsLargeAndItsNeckIsNotCounted) {
   vtkNew<vtkPlaneSource> neck;
   neck->SetOrigin(-60.0, chin() - 90.0, 0.0);
   neck->SetPoint1(60.0, chin() - 90.0, 0.0);
@@ -136,19 +180,20 @@ TEST_F(ViewFit, AHeadIsWholeAndItsNeckIsNotCounted) {
   ASSERT_TRUE(comparison->openMesh(file));
   ASSERT_TRUE(waitUntil([&] { return comparison->surface(mien::Comparison::Side::B) != nullptr; }));
   settle();
-  const auto [low, high, aside] = seen(find<mien::RenderView>("otherFaceView"), comparison->mesh());
+  const auto [low, high, aside] = seen(find<mien::RenderView>("otherFaceView"), surface());
   EXPECT_GT(low, -1.0);
   EXPECT_LT(high, 1.0);
   EXPECT_LT(aside, 1.0);
+  EXPECT_TRUE(high - low > 2.0 * 0.75 || aside > 0.8) << low << " " << high << " " << aside;
   EXPECT_EQ(distance("otherFaceView"), distance("faceView"));
+  expectUncountedWithoutNumber(comparison->drawn(mien::Comparison::Side::B), chin() - 15.0);
   const QString summary = comparison->summary(mien::Comparison::Side::B);
   EXPECT_TRUE(summary.startsWith("RMS 0.00, 95 % 0.00, max 0.00 mm, B to A, ")) << summary.toStdString();
   EXPECT_TRUE(summary.endsWith(" % opposite")) << summary.toStdString();
   EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
   const double withHead = distance("faceView");
-  comparison->clear();
-  settle();
-  EXPECT_LT(distance("faceView"), withHead);
+  compareScheme("tangent");
+  EXPECT_EQ(distance("faceView"), withHead);
 }
 
 }  // namespace

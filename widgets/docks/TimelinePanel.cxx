@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -13,6 +12,7 @@
 #include "AnimationPlayer.h"
 #include "ElidedLabel.h"
 #include "FaceModel.h"
+#include "FrameBox.h"
 #include "FramedButton.h"
 #include "Icons.h"
 #include "SessionPart.h"
@@ -47,7 +47,7 @@ TimelinePanel::TimelinePanel(FaceModel* model, AnimationPlayer* player, QWidget*
       model_(model),
       player_(player),
       position_(new ValueSlider(this)),
-      frame_(new QSpinBox(this)),
+      frame_(new FrameBox(model, this)),
       title_(faintLabel<ElidedLabel>(this, "timelineTitle")),
       time_(faintLabel<QLabel>(this, "timelineTime")),
       rate_(faintLabel<QLabel>(this, "timelineRate")),
@@ -111,10 +111,6 @@ void TimelinePanel::buildPosition() {
   for (QWidget* widget : {static_cast<QWidget*>(position_), static_cast<QWidget*>(frame_)})
     widget->setProperty(notInSession, true);  // the state has the frame
   frame_->setObjectName("timelineFrame");
-  frame_->setKeyboardTracking(false);
-  frame_->setAlignment(Qt::AlignRight);
-  frame_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  frame_->setToolTip(tr("Frame, counted from 1"));
 }
 
 void TimelinePanel::buildRange() {
@@ -190,8 +186,7 @@ void TimelinePanel::showAnimation() {
   const int count = model_->frameCount();
   const QSignalBlocker quietPosition(position_), quietFrame(frame_);
   position_->setRange(0, qMax(1, count - 1));
-  frame_->setRange(1, qMax(1, count));
-  frame_->setSuffix(count > 0 ? tr(" / %1").arg(count) : QString());
+  frame_->follow();
   for (QWidget* widget : {static_cast<QWidget*>(first_), static_cast<QWidget*>(play_), static_cast<QWidget*>(loop_),
                           static_cast<QWidget*>(position_), static_cast<QWidget*>(frame_), static_cast<QWidget*>(in_),
                           static_cast<QWidget*>(out_)})
@@ -219,11 +214,10 @@ void TimelinePanel::showFrame() {
   const double rate = model_->framesPerSecond();
   if (rate <= 0.0) return time_->clear();
   const double end = (model_->frameCount() - 1) / rate;
-  time_->setText(tr("%1 s of %2 s \u00b7 %3 frames/s \u00b7 number %4 in the file")
+  time_->setText(tr("%1 s of %2 s \u00b7 %3 frames/s")
                      .arg(model_->framePosition() / rate, 0, 'f', 2)
                      .arg(end, 0, 'f', 2)
-                     .arg(rate)
-                     .arg(model_->frameNumber()));
+                     .arg(rate));
 }
 
 void TimelinePanel::showPlaying(bool playing) {

@@ -5,7 +5,6 @@
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
-class QSpinBox;
 class QToolButton;
 
 namespace mien {
@@ -13,6 +12,7 @@ namespace mien {
 class AnimationPlayer;
 class ValueSlider;
 class FaceModel;
+class FrameBox;
 
 /// Where in the animation are we? Play, pause, scrub and loop a .fap file or a range of it, at any speed, with or
 /// without pictures between its frames. Without an animation it is one slim line that says how to get one.
@@ -45,7 +45,7 @@ class TimelinePanel : public QFrame {
   QToolButton *open_, *first_, *play_, *loop_, *close_, *in_, *out_, *smooth_, *demonstration_;
   QComboBox* speed_;
   ValueSlider* position_;
-  QSpinBox* frame_;
+  FrameBox* frame_;
   QLabel *title_, *time_, *rate_;
   QWidget* deck_;
   QHBoxLayout* lower_;

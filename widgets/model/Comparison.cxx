@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "BackgroundTask.h"
+#include "CoveredParts.h"
 #include "FaceModel.h"
 #include "FaceScheme.h"
 #include "FaceStateJson.h"
@@ -73,7 +74,7 @@ DistanceSummary summaryOf(vtkPolyData* surface) {
 }  // namespace
 
 struct Comparison::Distances {
-  Surfaces surfaces;
+  Surfaces surfaces, drawn;
   std::array<DistanceSummary, 2> summaries;
   bool corresponds = false, covered = false;  ///< whether the summaries are of what lies opposite the other alone
   std::string fault;
@@ -119,6 +120,14 @@ bool Comparison::corresponds() const {
   return distances_ && distances_->corresponds;
 }
 
+vtkPolyData* Comparison::drawn(Side side) const {
+  return distances_ ? distances_->drawn[static_cast<int>(side)] : nullptr;
+}
+
+bool Comparison::leavesOut() const {
+  return distances_ && distances_->covered;
+}
+
 QString Comparison::summary(Side side) const {
   if (!distances_) return {};
   const int index = static_cast<int>(side);
@@ -126,7 +135,7 @@ QString Comparison::summary(Side side) const {
   const QString numbers = numbersText(summary);
   if (corresponds()) return numbers + (side == Side::A ? tr(", point to point, by area of A") : tr(", by area of B"));
   const QString text = numbers + (side == Side::A ? tr(", A to B") : tr(", B to A"));
-  if (!distances_->covered) return text;
+  if (!leavesOut()) return text;
   const vtkIdType all = distances_->surfaces[index]->GetNumberOfPoints();
   return text + tr(", %1 % opposite").arg(100.0 * summary.points / std::max<vtkIdType>(1, all), 0, 'f', 0);
 }
@@ -241,6 +250,7 @@ bool Comparison::measureCounterparts(const Surfaces& surfaces) {
     if (!errors.first().empty()) return false;
     vtkPointData* data = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData();
     distances.surfaces[side] = withArrays(surfaces[side], data->GetArray("Magnitude"), data->GetArray("MotionVector"));
+    distances.drawn[side] = distances.surfaces[side];
     distances.summaries[side] = summaryOf(distances.surfaces[side]);
   }
   task_->cancel();  // what it still measures is of surfaces that are gone
@@ -265,6 +275,7 @@ Comparison::Distances Comparison::nearest(const Surfaces& surfaces, bool covered
   distances.fault = errors.first();
   for (int side = 0; side < 2 && distances.fault.empty(); ++side) {
     distances.surfaces[side] = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(side));
+    distances.drawn[side] = coveredApart(distances.surfaces[side]);
     distances.summaries[side] = filter->GetSummary(side);
   }
   return distances;

@@ -49,7 +49,9 @@ class Comparison : public QObject, public SessionPart {
   FaceModel* other();                     ///< that moves B; of a mesh it only tells how large a face is
   vtkPolyData* mesh() const;              ///< of a file, with normals; nullptr: B is a face
   vtkPolyData* surface(Side side) const;  ///< a side's surface with the arrays; nullptr until it is measured
+  vtkPolyData* drawn(Side side) const;    ///< the same, but what its summary leaves out has no number
   bool corresponds() const;               ///< whether it was measured from each point to its counterpart
+  bool leavesOut() const;                 ///< whether it is of what lies opposite the other alone
   QString summary(Side side) const;       ///< RMS, 95 % and largest from that side to the other, in words; to a
                                           ///< mesh of what lies opposite, and how much that is
 

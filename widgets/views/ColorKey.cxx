@@ -13,7 +13,7 @@ namespace mien {
 namespace {
 
 constexpr int keySide = 12, keyGap = 12, keyBarHeight = 9, keyAbove = 6, keyTick = 3, keyBelow = 4;  // pixels
-constexpr int leastBar = 80, swatch = 14;
+constexpr int leastBar = 80, swatch = 14, swatchGap = 5;
 constexpr int stops = 32;
 constexpr double pointed = 8.0;  // pixels, length of an end beyond which there are values
 
@@ -53,7 +53,8 @@ void ColorKey::showScale(const ColorLegend::Scale& scale) {
   scale_ = scale;
   setToolTip(tr("%1: what lies beyond an end of the scale has the colour of that end; there are such values where the "
                 "end is pointed")
-                 .arg(scale.title));
+                 .arg(scale.title) +
+             (scale.unknown.isEmpty() ? QString() : tr("; grey: %1").arg(scale.unknown)));
   show();
   update();
 }
@@ -80,13 +81,29 @@ void ColorKey::clear() {
   hide();
 }
 
+/// Below the title. @return how wide it is, in pixels
+int ColorKey::paintUnknown(QPainter& painter, int most) const {
+  if (scale_.unknown.isEmpty()) return 0;
+  const QFontMetrics metrics = fontMetrics();
+  const int before = swatch + swatchGap;
+  const QString text = metrics.elidedText(scale_.unknown, Qt::ElideRight, std::max(0, most - before));
+  const double low = keyAbove + keyBarHeight + keyTick + metrics.ascent();
+  painter.setPen(QPen(Theme::current().line, 1.0));
+  painter.setBrush(ColorLegend::unknownColor());
+  painter.drawRect(QRectF(keySide, low - keyBarHeight, swatch, keyBarHeight));
+  painter.setPen(Theme::current().text);
+  painter.drawText(QPointF(keySide + before, low), text);
+  return before + metrics.horizontalAdvance(text);
+}
+
 void ColorKey::paintScale(QPainter& painter) const {
   const Theme& theme = Theme::current();
   const QFontMetrics metrics = fontMetrics();
   const int room = metrics.horizontalAdvance("-0.0005") / 2;  // numbers stand under the ends of the bar
   const int most = std::max(0, width() - 2 * keySide - keyGap - leastBar - 2 * room);
   const QString title = shortened(scale_.title, metrics, most);
-  const int left = keySide + metrics.horizontalAdvance(title) + keyGap + room;
+  const int words = std::max(metrics.horizontalAdvance(title), paintUnknown(painter, most));
+  const int left = keySide + words + keyGap + room;
   const QRectF bar(left, keyAbove, std::max(leastBar, width() - keySide - room - left), keyBarHeight);
   QLinearGradient colors(bar.topLeft(), bar.topRight());
   for (int i = 0; i <= stops; ++i)
@@ -119,7 +136,7 @@ void ColorKey::paintPatches(QPainter& painter) const {
     painter.setBrush(QColor(static_cast<QRgb>(patchColors[i])));
     painter.drawRect(QRectF(left, middle - swatch / 2.0, swatch, swatch));
     painter.setPen(Theme::current().text);
-    painter.drawText(QPointF(left + swatch + 5.0, middle + metrics.ascent() / 2.0 - 1.0), tr("P%1").arg(i));
+    painter.drawText(QPointF(left + swatch + swatchGap, middle + metrics.ascent() / 2.0 - 1.0), tr("P%1").arg(i));
   }
 }
 

@@ -28,6 +28,7 @@ class ColorKey : public QWidget {
 
  private:
   void paintScale(QPainter& painter) const;
+  int paintUnknown(QPainter& painter, int most) const;
   void paintPatches(QPainter& painter) const;
   void paintWords(QPainter& painter) const;
 

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int blueToOrange[] = {0x16467f, 0x3b7bb8, 0x8fb8dc, 0xf2f2ef, 0xf0b27f, 0xd4772f, 0x8a4206};
 constexpr int steps = 256;
+constexpr double unknownGrey = 0.66;  // as light as the middle of the scales, so that it is lit alike
 
 /// Between neighbours linear.
 QColor divergingAt(double share) {
@@ -36,10 +37,14 @@ void ColorLegend::Scale::mark(const double range[2]) {
 }
 
 ColorLegend::ColorLegend() {
-  colors_->SetNanColor(0.5, 0.5, 0.5, 1.0);
+  colors_->SetNanColor(unknownGrey, unknownGrey, unknownGrey, 1.0);
 }
 
 ColorLegend::~ColorLegend() = default;
+
+QColor ColorLegend::unknownColor() {
+  return QColor::fromRgbF(unknownGrey, unknownGrey, unknownGrey);
+}
 
 QColor ColorLegend::colorAt(Colors colors, double share) {
   if (colors == Colors::Diverging) return divergingAt(share);

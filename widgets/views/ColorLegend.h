@@ -26,6 +26,7 @@ class ColorLegend {
     Colors colors = Colors::Sequential;
     void mark(const double range[2]);         ///< tells whether values of that range lie outside
     bool undercut = false, exceeded = false;  ///< whether values lie before its begin, beyond its end
+    QString unknown;                          ///< in words, what has no number and is grey; empty: there is none
   };
 
   ColorLegend();
@@ -36,6 +37,8 @@ class ColorLegend {
 
   /// The colour of a share (0 .. 1) of a scale.
   static QColor colorAt(Colors colors, double share);
+
+  static QColor unknownColor();  ///< neutral, of what has no number
 
   /// Gives a mapper these colours for the values that it has chosen.
   /// @param component  of values with several; -1: their length

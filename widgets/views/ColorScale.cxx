@@ -12,7 +12,7 @@ namespace mien {
 namespace {
 
 constexpr int side = 12, scaleGap = 16, barHeight = 9, above = 5, tick = 3, below = 3;  // pixels
-constexpr int shortestBar = 40, narrowBelow = 300, betweenNumbers = 6;
+constexpr int shortestBar = 40, narrowBelow = 330, betweenNumbers = 6;
 constexpr double point = 8.0;  // pixels, length of the pointed end
 
 QString mostText(double millimetres) {
@@ -29,8 +29,8 @@ ColorScale::ColorScale(CurveView* view, QWidget* parent) : QWidget(parent), view
   setObjectName("curveScale");
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setToolTip(
-      tr("How far the curves have moved from the neutral face, in mm, without the turns of the head or with them. A "
-         "pointed end: something has moved further than the last colour"));
+      tr("Displacement: how far the curves have moved from the neutral face, in mm, without the turns of the head or "
+         "with them. A pointed end: something has moved further than the last colour"));
   connect(view_, &CurveView::movementChanged, this, QOverload<>::of(&QWidget::update));
 }
 
@@ -51,14 +51,14 @@ bool ColorScale::isNarrow() const {
 }
 
 QString ColorScale::title() const {
-  if (view_->isWithHead()) return isNarrow() ? tr("with head") : tr("moved, with head");
-  return isNarrow() ? tr("head still") : tr("moved, head still");
+  if (isNarrow()) return tr("Displacement");
+  return view_->isWithHead() ? tr("Displacement, with head") : tr("Displacement, head still");
 }
 
 /// The same for all texts, so that the bar stays.
 int ColorScale::titleWidth(bool narrow) const {
   const QFontMetrics metrics = fontMetrics();
-  const QString longest = narrow ? tr("head still") : tr("moved, with head");
+  const QString longest = narrow ? tr("Displacement") : tr("Displacement, with head");
   return std::max(metrics.horizontalAdvance(longest), metrics.horizontalAdvance(mostText(88.8)));
 }
 

@@ -28,8 +28,7 @@ namespace mien {
 namespace {
 
 constexpr float lineWidth = 2.0f, pointSize = 5.0f, neutralWidth = 1.0f;  // pixels
-constexpr float leastPoint = 2.0f;    // pixels: a smaller one is not told from the line
-constexpr double spacingShare = 0.4;  // of a point: more, and points make one thick line
+constexpr double leastSpacing = 12.0;  // pixels between points: nearer, and they make one thick line
 constexpr int colorSteps = 256;
 constexpr double skinBehind = 60.0;  // depth units by which the skin lies behind the curves on it
 
@@ -113,6 +112,7 @@ void CurveView::addSkin() {
   mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, skinBehind);
   skin_->SetMapper(mapper);
   skin_->GetProperty()->LightingOff();
+  mouth_.setBehind(skinBehind);
   renderer()->AddActor(skin_);
 }
 
@@ -120,6 +120,7 @@ void CurveView::addSkin() {
 void CurveView::follow() {
   auto* shown = vtkPolyData::SafeDownCast(model().pipeline().shownCurves()->GetOutputDataObject(0));
   if (!shown) return;
+  mouth_.follow(shown);
   curves_->ShallowCopy(shown);
   spacing_ = meanSpacing(shown);
   const auto movement = curveMovement(shown, !withHead_);
@@ -174,6 +175,7 @@ void CurveView::dress() {
   setColor(points_->GetProperty(), theme.curve);
   setColor(skin_->GetProperty(), theme.viewBottom);
   renderer()->GradientBackgroundOff();  // what hides the back has one colour, and would show before two
+  setColor(mouth_.property(), theme.viewBottom);
 }
 
 void CurveView::setPointsVisible(bool visible) {
@@ -187,9 +189,12 @@ void CurveView::sizePoints() {
   const double extent =
       2.0 * camera()->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera()->GetViewAngle()));
   const double apart = spacing_ * high / std::max(1e-9, extent);
-  const double size = std::min(enlarged * pointSize, spacingShare * apart);
-  points_->GetProperty()->SetPointSize(static_cast<float>(size));
-  points_->SetVisibility(pointsOn_ && size >= enlarged * leastPoint);
+  points_->GetProperty()->SetPointSize(static_cast<float>(enlarged * pointSize));
+  points_->SetVisibility(pointsOn_ && apart >= enlarged * leastSpacing);
+}
+
+bool CurveView::showsPoints() const {
+  return points_->GetVisibility() != 0;
 }
 
 void CurveView::setNeutralVisible(bool visible) {
@@ -199,6 +204,7 @@ void CurveView::setNeutralVisible(bool visible) {
 
 void CurveView::setBackHidden(bool hidden) {
   skin_->SetVisibility(hidden);
+  mouth_.setVisible(hidden);
   redraw();
 }
 

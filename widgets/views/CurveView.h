@@ -3,6 +3,7 @@
 #include <vtkPolyData.h>
 
 #include "FaceState.h"
+#include "MouthActor.h"
 #include "RenderView.h"
 
 class vtkActor;
@@ -24,12 +25,13 @@ class CurveView : public RenderView {
 
   void setPointsVisible(bool visible);
   void setNeutralVisible(bool visible);
-  void setBackHidden(bool hidden);  ///< whether the face hides the curves behind it
+  void setBackHidden(bool hidden);  ///< whether the face and its mouth hide the curves behind them
   void setWithHead(bool on);        ///< whether the turns of the head (FAP 48 .. 50) count as movement; off
   void setFixedRange(double end);   ///< mm, of the last colour; 0 (the default): automatic
   bool isWithHead() const { return withHead_; }
   double rangeEnd() const;  ///< mm, in effect
   double automaticEnd() const { return automatic_; }
+  bool showsPoints() const;              ///< whether they are wanted, and far enough apart to be told from their lines
   double most() const { return most_; }  ///< mm that a point of a curve has moved
   void useTheme() override;
 
@@ -54,6 +56,7 @@ class CurveView : public RenderView {
   double played_ = 0.0;  ///< mm, the most in any frame seen of motion_
   FaceState motion_;     ///< without its frame
   vtkNew<vtkActor> lines_, points_, neutral_, skin_;
+  MouthActor mouth_{renderer()};
 };
 
 }  // namespace mien

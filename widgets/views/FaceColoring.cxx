@@ -87,7 +87,7 @@ vtkPolyData* FaceColoring::other() const {
 /// The surfaces that colours are for, A first.
 std::vector<vtkPolyData*> FaceColoring::colored() const {
   if (kind_ != Kind::Difference) return {surface(), other()};
-  return {comparison_->surface(Comparison::Side::A), comparison_->surface(Comparison::Side::B)};
+  return {comparison_->drawn(Comparison::Side::A), comparison_->drawn(Comparison::Side::B)};
 }
 
 QStringList FaceColoring::choices() const {
@@ -281,21 +281,29 @@ void FaceColoring::paint() {
   emit changed();
 }
 
+/// Both sides have one, and tell the same of it.
+ColorLegend::Scale FaceColoring::scale() const {
+  const bool mixed = begin_ < 0.0 && end_ > 0.0;
+  ColorLegend::Scale scale = {array_.title, begin_, end_,
+                              mixed ? ColorLegend::Colors::Diverging : ColorLegend::Colors::Sequential};
+  for (vtkPolyData* one : colored()) {
+    if (!array_.find(one)) continue;
+    const auto [low, high] = array_.range(one);
+    const double ends[] = {low, high};
+    scale.mark(ends);
+  }
+  if (kind_ == Kind::Difference && comparison_->leavesOut()) scale.unknown = tr("not compared");
+  return scale;
+}
+
 /// A mesh has no patches and not every array: it keeps its skin, and the place of the key, so that both are of one
 /// height.
 void FaceColoring::paintSide(size_t side) {
   auto& [view, key, legend] = *sides_[side];
   vtkPolyData* shown = colored()[side];
   vtkPolyData* mesh = side == 0 ? nullptr : comparison_->mesh();
-  const bool isPatches = kind_ == Kind::Patches, mixed = begin_ < 0.0 && end_ > 0.0;
-  ColorLegend::Scale scale = {array_.title, begin_, end_,
-                              mixed ? ColorLegend::Colors::Diverging : ColorLegend::Colors::Sequential};
-  for (vtkPolyData* one : colored()) {  // both sides have one scale, and tell the same of it
-    if (!array_.find(one)) continue;
-    const auto [low, high] = array_.range(one);
-    const double ends[] = {low, high};
-    scale.mark(ends);
-  }
+  const bool isPatches = kind_ == Kind::Patches;
+  const ColorLegend::Scale scale = this->scale();
   isPatches ? legend.setPatches() : legend.setScale(scale);
   view->showSurface(kind_ == Kind::Difference && shown ? shown : mesh, mesh != nullptr);
   const bool has = array_.find(shown) != nullptr;

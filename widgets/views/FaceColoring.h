@@ -76,6 +76,7 @@ class FaceColoring : public QObject {
   void followComparison();
   void growRange();
   void paint();
+  ColorLegend::Scale scale() const;
   void paintSide(size_t side);
   void clearColors();
 

@@ -17,8 +17,8 @@ namespace mien {
 namespace {
 
 constexpr double unitsPerPixel = figureUnitsPerPixel;
-constexpr double handle = 5.0;       // pixels
-constexpr double handleDepth = 9.0;  // pixels below the top of the plot, where the axis has its last number
+constexpr double handle = 5.0;     // pixels, of a triangle between the axis and its numbers
+constexpr double nameDepth = 9.0;  // pixels below the top of the plot
 constexpr double markerPoints = 7.0;
 constexpr int veil = 170;  // of 255, over what does not count
 constexpr double wheelNotch = 120.0, notchZoom = 1.25;
@@ -134,12 +134,16 @@ void FigureView::paintMarker(QPainter& painter, const ChartPainter& panel) const
   }
   const double x = panel.position(*marked_, 1.0).x();
   if (x < plot.left() - 1.0 || x > plot.right() + 1.0) return;
+  color = Theme::current().text;  // neutral, unlike the lines of the data
   painter.setPen(QPen(color, (hasFocus() ? 2.0 : 1.4) * unitsPerPixel));
   painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+  const double half = handle * unitsPerPixel;
+  const QPointF tip(x, plot.bottom());
   painter.setBrush(color);
-  const QPointF top(x, plot.top() + handleDepth * unitsPerPixel);
-  painter.drawEllipse(top, handle * unitsPerPixel, handle * unitsPerPixel);
-  paintMarkerName(painter, plot, top);
+  painter.setPen(Qt::NoPen);
+  painter.drawPolygon(QPolygonF({tip, tip + QPointF(half, 1.2 * half), tip + QPointF(-half, 1.2 * half)}));
+  painter.setPen(color);
+  paintMarkerName(painter, plot, QPointF(x, plot.top() + nameDepth * unitsPerPixel));
 }
 
 /// On the side of the line that has more room, on a ground of its own: lines run below it.

@@ -23,6 +23,15 @@ void MouthActor::follow(vtkPolyData* curves) {
   mapper_->SetInputData(mouthSack(curves));
 }
 
+vtkProperty* MouthActor::property() {
+  return actor_->GetProperty();
+}
+
+void MouthActor::setBehind(double units) {
+  mapper_->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper_->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, units);
+}
+
 void MouthActor::setVisible(bool visible) {
   actor_->SetVisibility(visible);
 }

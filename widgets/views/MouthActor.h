@@ -5,17 +5,20 @@
 class vtkActor;
 class vtkPolyData;
 class vtkPolyDataMapper;
+class vtkProperty;
 class vtkRenderer;
 
 namespace mien {
 
-/// The dark inside of an open mouth in a view of the face.
+/// The inside of an open mouth in a view of the face, dark unless it is told otherwise: it hides what is behind it.
 class MouthActor {
  public:
   explicit MouthActor(vtkRenderer* renderer);
 
   void follow(vtkPolyData* curves);  ///< as the face is now
   void setVisible(bool visible);
+  vtkProperty* property();
+  void setBehind(double units);  ///< of depth, so that curves on its rim are seen
 
  private:
   vtkNew<vtkPolyDataMapper> mapper_;

@@ -46,14 +46,25 @@ void ViewFrame::showEvent(QShowEvent* event) {
   setTitle(name_->text());
 }
 
-QToolButton* ViewFrame::addButton(const QString& objectName, const QString& text, const QString& toolTip) {
+QToolButton* ViewFrame::button(const QString& objectName, const QString& text, const QString& toolTip) {
   auto* button = new QToolButton(this);
   button->setObjectName(objectName);
   button->setText(text);
   button->setToolTip(toolTip);
   button->setFocusPolicy(Qt::TabFocus);
-  header_->addWidget(button, ++controls_);
   return button;
+}
+
+QToolButton* ViewFrame::addButton(const QString& objectName, const QString& text, const QString& toolTip) {
+  QToolButton* added = button(objectName, text, toolTip);
+  header_->addWidget(added, ++controls_);
+  return added;
+}
+
+QToolButton* ViewFrame::addLastingButton(const QString& objectName, const QString& text, const QString& toolTip) {
+  QToolButton* added = button(objectName, text, toolTip);
+  header_->addWidget(added);
+  return added;
 }
 
 QToolButton* ViewFrame::addToggle(const QString& objectName, const QString& text, const QString& toolTip, bool on) {

@@ -18,6 +18,8 @@ class ViewFrame : public QFrame {
 
   void setTitle(const QString& title);
   QToolButton* addButton(const QString& objectName, const QString& text, const QString& toolTip);
+  /// One that never waits behind "more".
+  QToolButton* addLastingButton(const QString& objectName, const QString& text, const QString& toolTip);
   QToolButton* addToggle(const QString& objectName, const QString& text, const QString& toolTip, bool on);
   void addControl(QWidget* control);  ///< in the head, after what is there
   void addGap();
@@ -27,6 +29,8 @@ class ViewFrame : public QFrame {
   void showEvent(QShowEvent* event) override;
 
  private:
+  QToolButton* button(const QString& objectName, const QString& text, const QString& toolTip);
+
   OverflowRow* header_;
   int controls_ = 0;
   ElidedLabel* name_;

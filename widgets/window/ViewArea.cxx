@@ -24,6 +24,7 @@
 #include "FaceColoring.h"
 #include "FaceModel.h"
 #include "FaceStateText.h"
+#include "KeyStrip.h"
 #include "PointNumbers.h"
 #include "ViewExport.h"
 #include "ViewFrame.h"
@@ -32,8 +33,7 @@ namespace mien {
 
 namespace {
 
-constexpr int faceShare = 4, curveShare = 3;
-constexpr int manyPixels = 1000;       // shares of a splitter, not pixels
+constexpr int manyPixels = 1000;       // a share of a splitter, not pixels
 constexpr int roomForThree = 1300;     // pixels
 constexpr int summaryMargin = 12;      // pixels
 constexpr double longestArrow = 20.0;  // mm to a nearest point: beyond, the other has no counterpart, as a neck
@@ -83,7 +83,7 @@ QWidget* ViewArea::displayRow() {
   layout->setSpacing(6);
   auto* bar = new ColoringBar(coloring_, row);
   faceKey_ = coloring_->key();
-  faceFrame_->addBelow(faceKey_);
+  faceFrame_->addBelow(new KeyStrip(faceKey_, this));
   connect(bar, &ColoringBar::colorChosen, this, &ViewArea::colorChosen);
   connect(bar, &ColoringBar::curvesToggled, this, [this](bool on) {
     curvesOn_ = on;
@@ -103,10 +103,18 @@ QWidget* ViewArea::splitter() {
   splitter_->setChildrenCollapsible(false);
   splitter_->addWidget(faceFrame_);
   splitter_->addWidget(curveFrame_);
-  splitter_->setStretchFactor(0, faceShare);
-  splitter_->setStretchFactor(1, curveShare);
-  splitter_->setSizes({faceShare * manyPixels, curveShare * manyPixels});
+  shareOut();
   return splitter_;
+}
+
+/// Equal views, which show the face equally large.
+void ViewArea::shareOut() {
+  QList<int> shares;
+  for (int i = 0; i < splitter_->count(); ++i) {
+    splitter_->setStretchFactor(i, 1);
+    shares << manyPixels;
+  }
+  splitter_->setSizes(shares);
 }
 
 void ViewArea::addMeshChoice() {
@@ -140,11 +148,12 @@ void ViewArea::addCurveFrame() {
   const auto add = [&](const QString& name, const QString& text, const QString& tip) {
     return curveFrame_->addToggle(name, text, tip, true);
   };
-  connect(add("curvePoints", tr("Points"), tr("The points of the curves")), &QToolButton::toggled, curves_,
-          &CurveView::setPointsVisible);
+  connect(add("curvePoints", tr("Points"), tr("The points of the curves, where they are 12 pixels apart or more")),
+          &QToolButton::toggled, curves_, &CurveView::setPointsVisible);
   connect(add("curveNeutral", tr("Neutral"), tr("The curves of the neutral face, thin and pale")),
           &QToolButton::toggled, curves_, &CurveView::setNeutralVisible);
-  connect(add("curveFrontOnly", tr("Front only"), tr("Whether the face hides the curves behind it")),
+  connect(add("curveFrontOnly", tr("Front only"),
+              tr("Whether the face hides the curves behind it, those seen through its open mouth too")),
           &QToolButton::toggled, curves_, &CurveView::setBackHidden);
   connect(add("curveLink", tr("Link"), tr("Turn and zoom together with the face")), &QToolButton::toggled, this,
           &ViewArea::linkCameras);
@@ -158,15 +167,13 @@ void ViewArea::addOther() {
   connect(other_, &RenderView::cameraMoved, this, &ViewArea::cameraMoved);
   otherFrame_ = new ViewFrame(QString(), other_, this);
   coloring_->setOther(other_);
-  otherFrame_->addBelow(coloring_->key());
+  otherFrame_->addBelow(new KeyStrip(coloring_->key(), this));
   for (ViewFrame* frame : {faceFrame_, otherFrame_}) addSummary(frame);
   addOtherButtons();
   overlays_.push_back(new CurveOverlay(comparison_->other(), other_, this));
   arrows_.push_back(new DifferenceArrows(other_, this));
   splitter_->insertWidget(1, otherFrame_);
-  splitter_->setStretchFactor(1, faceShare);
-  splitter_->setStretchFactor(2, curveShare);
-  splitter_->setSizes({faceShare * manyPixels, faceShare * manyPixels, curveShare * manyPixels});
+  shareOut();
   other_->link(face_, RenderView::Zoom::ToScale);
 }
 
@@ -200,7 +207,7 @@ void ViewArea::addOtherButtons() {
           [this](bool on) { on ? other_->link(face_, RenderView::Zoom::ToScale) : other_->unlink(); });
   swap_ = otherFrame_->addButton("compareSwap", tr("Swap"), tr("A becomes B, and B becomes A"));
   connect(swap_, &QToolButton::clicked, comparison_, &Comparison::swap);
-  connect(otherFrame_->addButton("compareClear", tr("Close"), tr("Ends the comparison")), &QToolButton::clicked,
+  connect(otherFrame_->addLastingButton("compareClear", tr("Close"), tr("Ends the comparison")), &QToolButton::clicked,
           comparison_, &Comparison::clear);
 }
 
@@ -214,14 +221,15 @@ void ViewArea::followComparison() {
   }
   showCurves();
   showDifference();
-  holdMesh();
   arrange();
 }
 
-/// A head is whole beside the face, both at one scale.
+/// The face of a head is as large as the face beside it can be: its crown and its neck may leave the view. A mesh of
+/// which nothing lies opposite the face is whole, as it may lie anywhere.
 void ViewArea::holdMesh() {
-  if (!other_ || (!comparison_->mesh() && !holdsMesh_)) return;
-  holdsMesh_ = comparison_->mesh() != nullptr;
+  const bool isAway = comparison_->mesh() && comparison_->surface(Comparison::Side::B) && !comparison_->leavesOut();
+  if (!other_ || isAway == holdsMesh_) return;
+  holdsMesh_ = isAway;
   other_->setCompany(holdsMesh_ ? comparison_->mesh()->GetBounds() : nullptr);
   if (!face_->isMoved()) face_->fit();
   if (!other_->isLinked() && !other_->isMoved()) other_->fit();
@@ -244,8 +252,8 @@ void ViewArea::showDifference() {
     summaries_[i]->setVisible(comparison_->kind() != Comparison::Kind::None);
   }
   const double longest = comparison_->corresponds() ? std::numeric_limits<double>::infinity() : longestArrow;
-  for (size_t i = 0; i < arrows_.size(); ++i)
-    arrows_[i]->show(comparison_->surface(sides[i]), "DistanceVector", longest);
+  for (size_t i = 0; i < arrows_.size(); ++i) arrows_[i]->show(comparison_->drawn(sides[i]), "DistanceVector", longest);
+  holdMesh();
 }
 
 void ViewArea::addExporters() {

@@ -52,6 +52,7 @@ class ViewArea : public QWidget {
  private:
   QWidget* displayRow();
   QWidget* splitter();
+  void shareOut();
   void addMeshChoice();
   void addSideButtons();
   void addCurveFrame();

@@ -14,7 +14,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr std::size_t largestText = 10'000'000;  // bytes
+constexpr std::size_t largestJson = 10'000'000;  // bytes
 
 /// How a kind of file is told, and what takes it.
 struct JsonKind {
@@ -45,7 +45,7 @@ const JsonKind* kindOf(const json& root) {
 
 json parse(const std::string& file) {
   std::string text;
-  const std::string fault = readTextFile(file, largestText, text, "file");
+  const std::string fault = readTextFile(file, largestJson, text, "file");
   if (!fault.empty()) throw FileFailure(file + ":" + fault);
   json root = json::parse(text, nullptr, false);
   if (root.is_discarded()) throw FileFailure(file + ": this is no JSON (cut off?); write it again");

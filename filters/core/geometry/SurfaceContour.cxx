@@ -49,14 +49,16 @@ class Crossings {
 };
 
 /// The lines through numbered points.
-template <class GetPoint, class GetNormal>
-std::vector<ContourLine> linesThrough(const std::vector<Edge>& pieces, const GetPoint& point, const GetNormal& normal) {
+template <class GetPoint, class GetNormal, class GetInward>
+std::vector<ContourLine> linesThrough(const std::vector<Edge>& pieces, const GetPoint& point, const GetNormal& normal,
+                                      const GetInward& inward) {
   std::vector<ContourLine> lines;
   for (const std::vector<int>& numbers : joinedPieces(pieces)) {
-    ContourLine line{Points(numbers.size(), 3), Points(numbers.size(), 3)};
+    ContourLine line{Points(numbers.size(), 3), Points(numbers.size(), 3), Points(numbers.size(), 3)};
     for (size_t i = 0; i < numbers.size(); ++i) {
       line.points.row(i) = point(numbers[i]);
       line.normals.row(i) = normal(numbers[i]);
+      line.inwards.row(i) = inward(numbers[i]);
     }
     lines.push_back(std::move(line));
   }
@@ -120,19 +122,35 @@ std::vector<ContourLine> silhouettes(const TriangleMesh& mesh, const Points& nor
     if (ends.size() == 2) pieces.emplace_back(ends[0], ends[1]);
   }
   return linesThrough(
-      pieces, [&](int i) { return crossings.points[i]; }, [&](int i) { return crossings.normals[i]; });
+      pieces, [&](int i) { return crossings.points[i]; }, [&](int i) { return crossings.normals[i]; },
+      [&](int i) -> Eigen::RowVector3d { return -crossings.normals[i]; });
 }
 
 std::vector<ContourLine> borders(const TriangleMesh& mesh, const Points& normals) {
-  std::map<Edge, int> count;
+  struct Side {
+    int triangles = 0, opposite = 0;
+  };
+  std::map<Edge, Side> sides;
   for (int t = 0; t < mesh.triangles.rows(); ++t)
-    for (int corner = 0; corner < 3; ++corner)
-      ++count[edgeOf(mesh.triangles(t, corner), mesh.triangles(t, (corner + 1) % 3))];
+    for (int corner = 0; corner < 3; ++corner) {
+      Side& side = sides[edgeOf(mesh.triangles(t, corner), mesh.triangles(t, (corner + 1) % 3))];
+      ++side.triangles;
+      side.opposite = mesh.triangles(t, (corner + 2) % 3);
+    }
   std::vector<Edge> pieces;
-  for (const auto& [edge, triangles] : count)
-    if (triangles == 1) pieces.push_back(edge);
+  std::map<int, Eigen::RowVector3d> inwards;
+  for (const auto& [edge, side] : sides) {
+    if (side.triangles != 1) continue;
+    pieces.push_back(edge);
+    const Eigen::RowVector3d a = mesh.vertices.row(edge.first), along = mesh.vertices.row(edge.second) - a;
+    const Eigen::RowVector3d across = mesh.vertices.row(side.opposite) - a;
+    const Eigen::RowVector3d inward = across - across.dot(along) / std::max(along.squaredNorm(), 1e-300) * along;
+    for (const int end : {edge.first, edge.second})
+      inwards.emplace(end, Eigen::RowVector3d::Zero()).first->second += inward;
+  }
   return linesThrough(
-      pieces, [&](int i) { return mesh.vertices.row(i); }, [&](int i) { return normals.row(i); });
+      pieces, [&](int i) { return mesh.vertices.row(i); }, [&](int i) { return normals.row(i); },
+      [&](int i) { return inwards.at(i); });
 }
 
 Points vertexNormals(const TriangleMesh& mesh) {

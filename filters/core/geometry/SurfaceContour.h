@@ -8,9 +8,10 @@
 
 namespace mien {
 
-/// A line on a surface with the surface's unit normal at each of its points; a closed one repeats its first point.
+/// A line on a surface with the surface's unit normal at each of its points, and the direction in which what is seen
+/// lies beside it, of any length; a closed one repeats its first point.
 struct ContourLine {
-  ClosedCurves::Points points, normals;
+  ClosedCurves::Points points, normals, inwards;
 };
 
 /// Where the surface turns away from the viewer: normal . out = 0, the normals linear along the edges of the triangles,

@@ -62,26 +62,44 @@ void SurfaceOcclusion::sortTriangles() {
   forCells([&](int cell, int triangle) { inCell_[next[cell]++] = triangle; });
 }
 
-bool SurfaceOcclusion::covers(int triangle, const Eigen::Vector2d& at, double depth) const {
+/// Nothing: the triangle is not there, or is seen from its edge.
+std::optional<double> SurfaceOcclusion::depthOf(int triangle, const Eigen::Vector2d& at) const {
   const auto corner = [&](int i) { return seen_.row(triangles_(triangle, i)); };
   const auto side = [&](int i, int j) {
     return (corner(j)[0] - corner(i)[0]) * (at[1] - corner(i)[1]) -
            (corner(j)[1] - corner(i)[1]) * (at[0] - corner(i)[0]);
   };
   const double a = side(1, 2), b = side(2, 0), c = side(0, 1), sum = a + b + c;
-  if (sum == 0.0 || a * sum < 0.0 || b * sum < 0.0 || c * sum < 0.0) return false;
-  return (a * corner(0)[2] + b * corner(1)[2] + c * corner(2)[2]) / sum > depth + tolerance_;
+  if (sum == 0.0 || a * sum < 0.0 || b * sum < 0.0 || c * sum < 0.0) return {};
+  return (a * corner(0)[2] + b * corner(1)[2] + c * corner(2)[2]) / sum;
+}
+
+/// Until `use` says that it is enough.
+template <class Use>
+void SurfaceOcclusion::forTrianglesAt(const Eigen::Vector2d& at, const Use& use) const {
+  if (begin_.empty()) return;
+  const Eigen::Array2d place = (at - low_).array() / side_;
+  if ((place < 0.0).any() || place[0] > count_[0] || place[1] > count_[1]) return;
+  const int cell = cellIndex(at[1], 1) * count_[0] + cellIndex(at[0], 0);
+  for (int i = begin_[cell]; i < begin_[cell + 1]; ++i)
+    if (use(depthOf(inCell_[i], at))) return;
 }
 
 bool SurfaceOcclusion::hides(const Eigen::Vector3d& point) const {
-  if (begin_.empty()) return false;
-  const Eigen::Vector2d at = plane_.project(point);
   const double depth = plane_.depth(point);
-  const Eigen::Array2d place = (at - low_).array() / side_;
-  if ((place < 0.0).any() || place[0] > count_[0] || place[1] > count_[1]) return false;
-  const int cell = cellIndex(at[1], 1) * count_[0] + cellIndex(at[0], 0);
-  return std::any_of(inCell_.begin() + begin_[cell], inCell_.begin() + begin_[cell + 1],
-                     [&](int triangle) { return covers(triangle, at, depth); });
+  bool hidden = false;
+  forTrianglesAt(plane_.project(point),
+                 [&](std::optional<double> found) { return hidden = found && *found > depth + tolerance_; });
+  return hidden;
+}
+
+std::optional<double> SurfaceOcclusion::frontDepth(const Eigen::Vector2d& at) const {
+  std::optional<double> front;
+  forTrianglesAt(at, [&](std::optional<double> found) {
+    if (found && (!front || *found > *front)) front = found;
+    return false;
+  });
+  return front;
 }
 
 }  // namespace mien

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "PicturePlane.h"
@@ -16,13 +17,18 @@ class SurfaceOcclusion {
 
   bool hides(const Eigen::Vector3d& point) const;
 
+  /// How near the viewer the surface comes at a place of the picture, mm along `out`; nothing: it is not there.
+  std::optional<double> frontDepth(const Eigen::Vector2d& at) const;
+
  private:
   struct Cells {
     int left, right, bottom, top;
   };
   Cells cellsOf(int triangle) const;
   int cellIndex(double value, int axis) const;
-  bool covers(int triangle, const Eigen::Vector2d& at, double depth) const;
+  std::optional<double> depthOf(int triangle, const Eigen::Vector2d& at) const;
+  template <class Use>
+  void forTrianglesAt(const Eigen::Vector2d& at, const Use& use) const;
   void chooseCells();
   void sortTriangles();
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ContourSight.h"
 #include "SurfaceContour.h"
 #include "SurfaceOcclusion.h"
 #include "VectorScale.h"
@@ -10,10 +11,12 @@ namespace mien {
 
 namespace {
 
-constexpr double lift = 0.4;          // mm: lines are looked for a little above the surface they lie on
-constexpr double shortestGap = 6.0;   // mm
-constexpr double shortestPart = 8.0;  // mm
-constexpr double frameMargin = 0.04;  // of a region's longer side
+constexpr double lift = 0.4;            // mm: lines are looked for a little above the surface they lie on
+constexpr double shortestGap = 6.0;     // mm
+constexpr double shortestPart = 8.0;    // mm
+constexpr double bridge = 6.0;          // mm: ends of an outline that are nearer are one place
+constexpr double longestSliver = 60.0;  // mm: of a line that goes on at both ends of it
+constexpr double frameMargin = 0.04;    // of a region's longer side
 
 using Line = VectorPicture::Line;
 using Places = Eigen::Matrix<double, Eigen::Dynamic, 2>;
@@ -30,6 +33,20 @@ void turnShortRuns(const Places& places, bool value, double least, std::vector<b
   }
 }
 
+/// Runs that are seen but not kept, with kept ones at both of their ends, are kept where they are short.
+void keepPassing(const Places& places, const std::vector<bool>& seen, std::vector<bool>& kept) {
+  const std::vector<bool> before = kept;
+  const int count = static_cast<int>(seen.size());
+  for (int begin = 0, end = 0; begin < count; begin = end) {
+    double length = 0.0;
+    for (end = begin + 1; end < count && !before[begin] && !before[end] && seen[end]; ++end)
+      length += (places.row(end) - places.row(end - 1)).norm();
+    const bool passes = begin > 0 && before[begin - 1] && end < count && before[end];
+    if (seen[begin] && !before[begin] && passes && length < longestSliver)
+      std::fill(kept.begin() + begin, kept.begin() + end, true);
+  }
+}
+
 /// Appends the parts of a line that are seen. Near a cusp a line flickers between seen and hidden: gaps are closed and
 /// crumbs left out.
 void appendParts(const Places& places, std::vector<bool> seen, std::vector<Line>& parts) {
@@ -40,6 +57,35 @@ void appendParts(const Places& places, std::vector<bool> seen, std::vector<Line>
     for (end = begin; end < count && seen[end];) ++end;
     if (end - begin > 1) parts.push_back(places.middleRows(begin, end - begin));
   }
+}
+
+/// The nearer of a line's ends to a place, turned so that it is the last.
+Line endingNear(const Line& line, const Eigen::RowVector2d& place) {
+  const bool first = (line.row(0) - place).norm() < (line.row(line.rows() - 1) - place).norm();
+  return first ? Line(line.colwise().reverse()) : line;
+}
+
+bool isClosed(const Line& line) {
+  return line.row(0) == line.row(line.rows() - 1);
+}
+
+/// Joins lines whose ends nearly meet: one contour that goes on in front of another.
+void joinNearEnds(std::vector<Line>& lines) {
+  for (size_t i = 0; i < lines.size(); ++i)
+    for (size_t k = i + 1; k < lines.size(); ++k)
+      for (const int end : {0, static_cast<int>(lines[i].rows()) - 1}) {
+        const Eigen::RowVector2d place = lines[i].row(end);
+        const Line other = endingNear(lines[k], place);
+        if (isClosed(lines[i]) || isClosed(other)) continue;
+        if ((other.row(other.rows() - 1) - place).norm() > bridge) continue;
+        const Line one = end == 0 ? lines[i] : Line(lines[i].colwise().reverse());
+        Line both(other.rows() + one.rows(), 2);
+        both << other, one;
+        lines[i] = both;
+        lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(k));
+        k = i;  // all others again, as the ends are new
+        break;
+      }
 }
 
 class PictureMaker {
@@ -76,11 +122,28 @@ class PictureMaker {
     appendParts(projected(points), seen, lines);
   }
 
+  /// The edges of slivers are left out at the ends of what is seen; a line that passes close behind another, as a cheek
+  /// behind the nose, stays whole.
+  void addContour(const ContourLine& line) {
+    const ContourSight sight(occlusion_, options_.plane);
+    std::vector<bool> seen(line.points.rows()), kept(line.points.rows());
+    for (size_t i = 0; i < seen.size(); ++i) {
+      const Eigen::Vector3d point = line.points.row(i), inward = line.inwards.row(i);
+      seen[i] = !occlusion_.hides(point + lift * line.normals.row(i).transpose()) && !sight.isDoubled(point, inward);
+      kept[i] = seen[i] && !sight.isSliver(point, inward);
+    }
+    const Places places = projected(line.points);
+    turnShortRuns(places, true, shortestPart, kept);
+    keepPassing(places, seen, kept);
+    appendParts(places, kept, picture_.outline);
+  }
+
   void addLines() {
     const TriangleMesh& surface = field_.surface;
     for (const auto& lines :
          {silhouettes(surface, field_.surfaceNormals, options_.plane), borders(surface, field_.surfaceNormals)})
-      for (const ContourLine& line : lines) addLine(line.points, line.points + lift * line.normals, picture_.outline);
+      for (const ContourLine& line : lines) addContour(line);
+    joinNearEnds(picture_.outline);
     for (const MotionField::Points& seam : field_.seams) addLineAbove(seam, picture_.seams);
     for (const MotionField::Points& line : field_.landmarks) addLineAbove(line, picture_.landmarks);
   }
