@@ -10,6 +10,7 @@
 #include "vtkClipPolyData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -19,19 +20,42 @@ namespace mien {
 namespace {
 
 constexpr double leastShare = 0.01;  // of the points
-constexpr int smoothingRounds = 40;
+constexpr int smoothingRounds = 60;
+constexpr int smoothedRings = 15;                        // of neighbours, at either side of the edge
+constexpr double leastWeight = 0.01, mostWeight = 10.0;  // of neighbours: triangles may be without area
 constexpr const char* coverName = "Cover";
 
-using Neighbors = std::vector<std::vector<vtkIdType>>;
+/// Another corner of a triangle, with the cotangent of the angle opposite the edge that leads there: by such weights a
+/// mean does not depend on which diagonals divide a grid of rectangles [Pinkall and Polthier 1993].
+struct Neighbor {
+  vtkIdType point;
+  double weight;
+};
+using Neighbors = std::vector<std::vector<Neighbor>>;
+
+double cotangentAt(const double at[3], const double one[3], const double other[3]) {
+  double a[3], b[3], normal[3];
+  vtkMath::Subtract(one, at, a);
+  vtkMath::Subtract(other, at, b);
+  vtkMath::Cross(a, b, normal);
+  return std::clamp(vtkMath::Dot(a, b) / std::max(vtkMath::Norm(normal), 1e-300), leastWeight, mostWeight);
+}
 
 Neighbors neighborsIn(vtkPolyData* triangles) {
   Neighbors neighbors(triangles->GetNumberOfPoints());
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell) {
     triangles->GetCellPoints(cell, corners);
-    for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
-      for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
-        if (i != k) neighbors[corners->GetId(i)].push_back(corners->GetId(k));
+    for (int i = 0; i < 3; ++i) {
+      const vtkIdType at = corners->GetId(i), one = corners->GetId((i + 1) % 3), other = corners->GetId((i + 2) % 3);
+      double places[3][3];
+      triangles->GetPoint(at, places[0]);
+      triangles->GetPoint(one, places[1]);
+      triangles->GetPoint(other, places[2]);
+      const double weight = cotangentAt(places[0], places[1], places[2]);
+      neighbors[one].push_back({other, weight});
+      neighbors[other].push_back({one, weight});
+    }
   }
   return neighbors;
 }
@@ -42,7 +66,7 @@ std::vector<vtkIdType> partAround(vtkIdType first, const Neighbors& neighbors, c
   std::vector<vtkIdType> part = {first};
   taken[first] = true;
   for (size_t i = 0; i < part.size(); ++i)
-    for (vtkIdType next : neighbors[part[i]]) {
+    for (const auto& [next, weight] : neighbors[part[i]]) {
       if (taken[next] || cover[next] != cover[first]) continue;
       taken[next] = true;
       part.push_back(next);
@@ -60,15 +84,39 @@ void turnSmallParts(const Neighbors& neighbors, double value, std::vector<double
   }
 }
 
+/// The points around the edge; what lies further away stays whole.
+std::vector<vtkIdType> nearEdge(const Neighbors& neighbors, const std::vector<double>& cover) {
+  std::vector<vtkIdType> near;
+  std::vector<bool> taken(cover.size());
+  for (size_t i = 0; i < cover.size(); ++i) {
+    const auto differs = [&](const Neighbor& next) { return cover[next.point] != cover[i]; };
+    if (!std::any_of(neighbors[i].begin(), neighbors[i].end(), differs)) continue;
+    taken[i] = true;
+    near.push_back(static_cast<vtkIdType>(i));
+  }
+  for (size_t ring = 0, begin = 0; ring < smoothedRings; ++ring)
+    for (const size_t end = near.size(); begin < end; ++begin)
+      for (const auto& [next, weight] : neighbors[near[begin]]) {
+        if (taken[next]) continue;
+        taken[next] = true;
+        near.push_back(next);
+      }
+  return near;
+}
+
 void smoothen(const Neighbors& neighbors, std::vector<double>& cover) {
+  const std::vector<vtkIdType> near = nearEdge(neighbors, cover);
+  std::vector<double> means(near.size());
   for (int round = 0; round < smoothingRounds; ++round) {
-    const std::vector<double> before = cover;
-    for (size_t i = 0; i < cover.size(); ++i) {
-      if (neighbors[i].empty()) continue;
-      double sum = 0.0;
-      for (vtkIdType next : neighbors[i]) sum += before[next];
-      cover[i] = 0.5 * (before[i] + sum / neighbors[i].size());
+    for (size_t i = 0; i < near.size(); ++i) {
+      double sum = 0.0, weights = 0.0;
+      for (const auto& [next, weight] : neighbors[near[i]]) {
+        sum += weight * cover[next];
+        weights += weight;
+      }
+      means[i] = 0.5 * (cover[near[i]] + sum / weights);
     }
+    for (size_t i = 0; i < near.size(); ++i) cover[near[i]] = means[i];
   }
 }
 

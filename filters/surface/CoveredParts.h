@@ -12,7 +12,7 @@ namespace mien {
 ///
 /// Whether a point is covered changes to and fro near the edge and around holes of the other surface, as the mouth of a
 /// scan: parts of less than 1 % of the points count as what is around them, and the edge is that of the mean over the
-/// neighbours, taken 40 times, at one half.
+/// neighbours, taken 60 times, at one half.
 ///
 /// @param surface  with the point arrays `Covered`, `Distance` and `DistanceVector` of vtkSurfaceDistanceFilter
 /// @return all is covered: the surface itself

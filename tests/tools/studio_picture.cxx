@@ -2,8 +2,8 @@
 // studio_picture OUT.png WIDTHxHEIGHT [SETTING...]
 // Settings: dark, side, fortyfive, mesh=2, color=Patches, unlinked, expression=joy, viseme=A, play, tab=4, fap=53:200,
 // a=2, file=X.fap, frame=100, range=50:120, dock=plotDock, compare=X.ply, press=fapAll, scan=X.ply, scale=0.75,
-// workspace=2, tour, focus=spectrumFigure, trigger=actionManual, grab=manualWindow, menu=editMenu, wait=2000, measure,
-// export=spectrumExport:X.pdf (or face, curves), start, act (what follows is a step of undo).
+// workspace=2, tour=3, focus=spectrumFigure, trigger=actionManual, grab=manualWindow, menu=editMenu, wait=2000,
+// measure, export=spectrumExport:X.pdf (or face, curves), start, act (what follows is a step of undo).
 
 #include <unistd.h>
 
@@ -15,6 +15,7 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMouseEvent>
@@ -178,6 +179,15 @@ void act(mien::StudioWindow& window) {
   }
 }
 
+/// As far as that stop, from 1.
+void showTour(mien::StudioWindow& window, int stop) {
+  mien::Tour* tour = mien::Tour::begin(window);
+  for (int i = 1; i < stop; ++i) {
+    QKeyEvent space(QEvent::KeyPress, Qt::Key_Space, Qt::NoModifier);
+    QApplication::sendEvent(tour, &space);
+  }
+}
+
 void openMenu(mien::StudioWindow& window, const QString& name) {
   auto* menu = part<QMenu>(window, name);
   const QRect place = window.menuBar()->actionGeometry(menu->menuAction());
@@ -254,7 +264,7 @@ void apply(mien::StudioWindow& window, const QString& setting) {
   if (key == "choose")
     part<QComboBox>(window, value.section(':', 0, 0))->setCurrentIndex(value.section(':', 1).toInt());
   if (key == "workspace") window.findChild<QTabBar*>("workspaces")->setCurrentIndex(value.toInt() - 1);
-  if (key == "tour") mien::Tour::begin(window);
+  if (key == "tour") showTour(window, value.toInt());
   if (key == "focus") part<QWidget>(window, value)->setFocus();
   if (key == "trigger") part<QAction>(window, value)->trigger();
   if (key == "menu") openMenu(window, value);

@@ -7,7 +7,9 @@
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -16,6 +18,7 @@
 #include <cmath>
 
 #include "Comparison.h"
+#include "CurveView.h"
 #include "ElidedLabel.h"
 #include "FaceModel.h"
 #include "FaceView.h"
@@ -116,7 +119,7 @@ TEST_F(ViewFit, TheFaceAndItsCurvesAreOfOneScale) {
     window->resize(size);
     settle();
     const double before = distance("faceView");
-    for (const char* color : {"Displacement (mm)", "Patches", "Skin"}) {
+    for (const char* color : {"Mean curvature H (1/mm)", "Patches", "Skin"}) {
       find<QComboBox>("colorBy")->setCurrentText(color);
       settle();
       EXPECT_EQ(face->height(), curves->height()) << color << ", " << size.width();
@@ -125,6 +128,23 @@ TEST_F(ViewFit, TheFaceAndItsCurvesAreOfOneScale) {
       EXPECT_EQ(distance("faceView"), before) << color << ", " << size.width();
     }
   }
+}
+
+/// In a low view 29 curves with their points would be one blot.
+TEST_F(ViewFit, PointsOfCurvesAreDrawnWhereTheyCanBeTold) {
+  const auto* curves = find<mien::CurveView>("curveView");
+  window->resize(1280, 800);
+  settle();
+  EXPECT_TRUE(curves->showsPoints());
+  find<QDockWidget>("plotDock")->toggleViewAction()->trigger();
+  settle();
+  EXPECT_FALSE(curves->showsPoints());
+  find<QDockWidget>("plotDock")->toggleViewAction()->trigger();
+  settle();
+  EXPECT_TRUE(curves->showsPoints());
+  find<QToolButton>("curvePoints")->click();
+  settle();
+  EXPECT_FALSE(curves->showsPoints());
 }
 
 /// Whatever waits behind "more", the way back does not.

@@ -28,7 +28,7 @@ namespace mien {
 namespace {
 
 constexpr float lineWidth = 2.0f, pointSize = 5.0f, neutralWidth = 1.0f;  // pixels
-constexpr double leastSpacing = 12.0;  // pixels between points: nearer, and they make one thick line
+constexpr double leastSpacing = 10.0;  // pixels between points: nearer, and they make one thick line
 constexpr int colorSteps = 256;
 constexpr double skinBehind = 60.0;  // depth units by which the skin lies behind the curves on it
 
@@ -46,8 +46,8 @@ vtkSmartPointer<vtkPolyDataMapper> curveMapper(vtkPolyData* curves, vtkLookupTab
   return mapper;
 }
 
-/// Between the points of curves, in mm.
-double meanSpacing(vtkPolyData* curves) {
+/// Between curves above each other, or between points of one if those are nearer, in mm.
+double spacingOf(vtkPolyData* curves) {
   double length = 0.0;
   vtkIdType segments = 0;
   vtkNew<vtkIdList> line;
@@ -60,7 +60,10 @@ double meanSpacing(vtkPolyData* curves) {
       length += std::sqrt(vtkMath::Distance2BetweenPoints(a, b));
     }
   }
-  return segments > 0 ? length / segments : 0.0;
+  if (segments == 0) return 0.0;
+  const double* bounds = curves->GetBounds();
+  const double gaps = std::max<double>(1.0, curves->GetLines()->GetNumberOfCells() - 1.0);
+  return std::min(length / segments, (bounds[3] - bounds[2]) / gaps);
 }
 
 }  // namespace
@@ -122,7 +125,7 @@ void CurveView::follow() {
   if (!shown) return;
   mouth_.follow(shown);
   curves_->ShallowCopy(shown);
-  spacing_ = meanSpacing(shown);
+  spacing_ = spacingOf(shown);
   const auto movement = curveMovement(shown, !withHead_);
   if (movement) curves_->GetPointData()->AddArray(movement);
   most_ = movement && movement->GetNumberOfTuples() > 0 ? movement->GetRange()[1] : 0.0;
@@ -185,16 +188,15 @@ void CurveView::setPointsVisible(bool visible) {
 
 /// Before each picture, as the camera may have moved, or the picture be an enlarged one.
 void CurveView::sizePoints() {
-  const double high = renderer()->GetSize()[1], enlarged = high / std::max(1, height());
-  const double extent =
-      2.0 * camera()->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera()->GetViewAngle()));
-  const double apart = spacing_ * high / std::max(1e-9, extent);
+  const double enlarged = 1.0 * renderer()->GetSize()[1] / std::max(1, height());
   points_->GetProperty()->SetPointSize(static_cast<float>(enlarged * pointSize));
-  points_->SetVisibility(pointsOn_ && apart >= enlarged * leastSpacing);
+  points_->SetVisibility(showsPoints());
 }
 
 bool CurveView::showsPoints() const {
-  return points_->GetVisibility() != 0;
+  const double extent =
+      2.0 * camera()->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera()->GetViewAngle()));
+  return pointsOn_ && spacing_ * height() / std::max(1e-9, extent) >= leastSpacing;
 }
 
 void CurveView::setNeutralVisible(bool visible) {

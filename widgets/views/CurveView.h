@@ -51,7 +51,7 @@ class CurveView : public RenderView {
   vtkNew<vtkLookupTable> colors_;
   vtkNew<vtkPolyData> curves_;  ///< those shown, with the point array `Movement` (mm)
   bool withHead_ = false, pointsOn_ = true;
-  double spacing_ = 0.0;  ///< mm between points of a curve
+  double spacing_ = 0.0;  ///< mm between points of curves, or between curves
   double fixed_ = 0.0, automatic_ = 0.0, most_ = 0.0;
   double played_ = 0.0;  ///< mm, the most in any frame seen of motion_
   FaceState motion_;     ///< without its frame

@@ -21,6 +21,7 @@ constexpr int longestTitle = 210;  // pixels that a title has before any button;
 ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
     : QFrame(parent), header_(new OverflowRow(view->objectName() + "Header", this)), name_(new ElidedLabel(this)) {
   setProperty("card", true);
+  setObjectName(view->objectName().replace("View", "Frame"));
   name_->setProperty("heading", true);
   name_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   setTitle(title);

@@ -16,10 +16,11 @@ namespace mien {
 namespace {
 
 constexpr const char* seenKey = "window/tourSeen";
-constexpr int tourWidths[] = {330, 280, 230};                    // pixels of a text, the first for which there is room
-constexpr int padding = 14, tourGap = 10, radius = 7, ring = 3;  // pixels
-constexpr int titleGap = 4, hintGap = 8;                         // pixels
-constexpr int veil = 150;                                        // of 255, over what is not spoken of
+constexpr int tourWidths[] = {330, 280, 230};  // pixels of a text, the first for which there is room
+constexpr int padding = 14, tourGap = 10, radius = 7, ring = 3, edge = 2;  // pixels
+constexpr int barShape = 3;                                                // wider than that many times its height
+constexpr int titleGap = 4, hintGap = 8;                                   // pixels
+constexpr int veil = 150;                                                  // of 255, over what is not spoken of
 
 QFont titleFont(QFont font) {
   font.setBold(true);
@@ -53,15 +54,15 @@ Tour::Tour(QMainWindow& window) : QWidget(&window), window_(window) {
       tr("A click shows one expression, sliders mix several (percent)."));
   add("fapDock", tr("Facial animation parameters"),
       tr("Each slider moves one part of the face, in FAP units and mm. Mirror lock keeps both sides alike."));
-  add("faceView", tr("The face"),
+  add("faceFrame", tr("The face"),
       tr("Nine PDE patches. Drag to turn, wheel to zoom, double click for the whole face. Above it: what its colours "
          "mean, and a second face to compare with."));
-  add("curveView", tr("Its 29 boundary curves"),
+  add("curveFrame", tr("Its 29 boundary curves"),
       tr("All that the surface is made of. Colour says how far they have moved, in mm."));
   add("timelinePanel", tr("Animations"),
-      tr("Open a .fap file or drop one on the window; File > Play the demonstration has one to begin with."));
+      tr("Open a .fap file or drop one on the window, or begin with the demonstration."));
   add("workspaces", tr("Workspaces"),
-      tr("Animate, Surface, Deform, Acquire: each opens the docks for its work. F1 explains the one you are in."));
+      tr("Animate, Surface, Deform, Acquire: each opens the docks for its work. F1 explains them."));
   setGeometry(window.rect());
   current_ = -1;
   step(1);
@@ -104,7 +105,7 @@ QSize Tour::sizeOfText(int stop, int width) const {
   return {width + 2 * padding, title + titleGap + text + hintGap + foot + 2 * padding};
 }
 
-/// At the right, at the left, below and above, each within the window.
+/// At the right, at the left, below and above, each within the window; of a bar below and above first.
 std::vector<QRect> Tour::placesBeside(const QRect& target, const QSize& size) const {
   std::vector<QRect> places(4, QRect(QPoint(), size));
   for (QRect& place : places) place.moveCenter(target.center());
@@ -116,6 +117,7 @@ std::vector<QRect> Tour::placesBeside(const QRect& target, const QSize& size) co
     place.moveLeft(std::clamp(place.left(), tourGap, std::max(tourGap, width() - tourGap - place.width())));
     place.moveTop(std::clamp(place.top(), tourGap, std::max(tourGap, height() - tourGap - place.height())));
   }
+  if (target.width() > barShape * target.height()) std::rotate(places.begin(), places.begin() + 2, places.end());
   return places;
 }
 
@@ -130,7 +132,8 @@ QRect Tour::calloutOf(int stop) const {
 }
 
 void Tour::paintEvent(QPaintEvent*) {
-  const QRect target = targetOf(current_);
+  const QRect target =
+      targetOf(current_).adjusted(-ring, -ring, ring, ring) & rect().adjusted(edge, edge, -edge, -edge);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath around, hole;
