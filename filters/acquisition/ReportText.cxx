@@ -38,6 +38,7 @@ std::string reportText(const AcquireResult& result) {
       "  mesh       %d triangles, %d holes and rims; %d of %d parts left out, %d vertices merged, %d triangles without "
       "area\n",
       r.triangles, r.holes, r.droppedParts, r.parts, r.mergedVertices, r.degenerateTriangles);
+  if (r.windsInwards) text += "  winding    inwards: the scan may be mirrored (left-handed)\n";
   text += landmarkLine(r);
   if (r.fitted)
     text +=

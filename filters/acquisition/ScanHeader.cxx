@@ -4,6 +4,8 @@
 #include <locale>
 #include <sstream>
 
+#include "StlText.h"
+
 namespace mien {
 
 namespace {
@@ -57,9 +59,8 @@ bool offPromisesTooMuch(const std::string& start, std::uintmax_t size) {
 
 /// Binary files: 80 bytes of title, the number of triangles, 50 bytes for each.
 bool stlPromisesTooMuch(const std::string& start, std::uintmax_t size) {
-  const bool isText = start.rfind("solid", 0) == 0 && start.find("facet") != std::string::npos;
   constexpr std::uintmax_t headerBytes = 84, triangleBytes = 50;
-  return !isText && headerBytes + triangleBytes * littleEndianWord(start, headerBytes - 4) > size;
+  return !isTextStl(start) && headerBytes + triangleBytes * littleEndianWord(start, headerBytes - 4) > size;
 }
 
 }  // namespace

@@ -1,9 +1,6 @@
 #include "ScanSummary.h"
 
-#include <fstream>
-#include <iterator>
 #include <numeric>
-#include <vtksys/SystemTools.hxx>
 
 #include "MeshCleaning.h"
 #include "ReferenceFace.h"
@@ -13,15 +10,6 @@
 namespace mien {
 
 namespace {
-
-PolygonCounts polygonsOf(const std::string& file, long long triangles) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string text(std::istreambuf_iterator<char>(stream), {});
-  PolygonCounts counts =
-      countPolygons(text, vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(file)));
-  if (counts.sum() == 0) counts.triangles = triangles;  // of .stl there are no others
-  return counts;
-}
 
 void measureParts(const TriangleMesh& mesh, ScanSummary& summary) {
   const MeshParts parts = partsOf(mesh);
@@ -45,13 +33,14 @@ void guessUnit(const CleanMesh& scan, ScanSummary& summary, const Progress& prog
 }  // namespace
 
 std::string summarizeScan(const std::string& file, ScanSummary& summary, const Progress& progress) {
-  TriangleMesh mesh;
-  const std::string fault = readScanFile(file, mesh);
-  if (!fault.empty()) return file + ": " + fault;
+  MeshText scan;
+  const std::string fault = readScanFile(file, scan);
+  if (!fault.empty()) return fault;
+  const TriangleMesh& mesh = scan.mesh;
   ScanSummary result;
   result.points = mesh.vertices.rows();
   result.triangles = mesh.triangles.rows();
-  result.polygons = polygonsOf(file, result.triangles);
+  result.polygons = scan.polygons;
   const CleanMesh clean = cleaned(mesh);
   result.mergedVertices = clean.mergedVertices;
   result.degenerateTriangles = clean.degenerateTriangles;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "MeshText.h"
 #include "MienAcquisitionModule.h"
-#include "PolygonCounts.h"
 #include "Progress.h"
 
 namespace mien {

@@ -26,13 +26,14 @@ int vtkScanReader::RequestInformation(vtkInformation*, vtkInformationVector**, v
 int vtkScanReader::RequestData(vtkInformation* request, vtkInformationVector**, vtkInformationVector* outputs) {
   if (mien::isLaterPiece(request, outputs)) return 1;
   const std::string name = this->FileName ? this->FileName : "";
-  mien::TriangleMesh mesh;
-  const std::string fault = mien::readScanFile(name, mesh);
+  mien::MeshText scan;
+  const std::string fault =
+      name.empty() ? "FileName is not set; give a scan of a head" : mien::readScanFile(name, scan);
   if (!fault.empty()) {
-    vtkErrorMacro(<< (name.empty() ? "FileName is not set" : name) << ": " << fault);
+    vtkErrorMacro(<< fault);
     return 0;
   }
-  mien::writeTriangleMesh(mesh, vtkPolyData::GetData(outputs));
+  mien::writeTriangleMesh(scan.mesh, vtkPolyData::GetData(outputs));
   return 1;
 }
 

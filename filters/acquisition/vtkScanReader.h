@@ -1,10 +1,11 @@
 /**
  * @class vtkScanReader
- * @brief reads a scan of a head (.ply, .obj, .stl, .off) through OpenMesh
+ * @brief reads a scan of a head (.ply, .obj, .stl, .off)
  *
  * Output: vtkPolyData of triangles (larger polygons are split), double precision points, lengths in the
  * unit of the file, which it does not say. Vertices keep the file's numbering, which landmark files refer to.
- * Errors: a missing or damaged file, another format, no triangles; the message names the file, and there is no output.
+ * Errors: a missing or damaged file, another format, no triangles; the message names the file and,
+ * in text, the line, and there is no output.
  */
 #ifndef vtkScanReader_h
 #define vtkScanReader_h

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 #include <vtksys/FStream.hxx>
+#include <vtksys/SystemTools.hxx>
 
 namespace mien {
 
@@ -32,8 +33,9 @@ std::string WholeFile::write(const std::string& name, const std::string& bytes) 
 
 std::string WholeFile::temporaryNameOf(const std::string& name) {
   const std::filesystem::path path(name);
-  const std::string hidden =
-      "." + path.stem().string() + ".mien-" + std::to_string(getpid()) + path.extension().string();
+  // VTK's writer of .ply appends that ending to a name that ends in other letters than these.
+  const std::string ending = vtksys::SystemTools::LowerCase(path.extension().string());
+  const std::string hidden = "." + path.stem().string() + ".mien-" + std::to_string(getpid()) + ending;
   return (path.parent_path() / hidden).string();
 }
 

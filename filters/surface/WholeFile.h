@@ -27,7 +27,7 @@ class MIENSURFACE_EXPORT WholeFile {
   /// @return nothing, or what is wrong
   static std::string write(const std::string& name, const std::string& bytes);
 
-  /// A hidden file of this program's own beside the one named, with the same ending.
+  /// A hidden file of this program's own beside the one named, with the same ending in small letters.
   static std::string temporaryNameOf(const std::string& name);
 
   static constexpr const char* unwritable =

@@ -141,6 +141,18 @@ TEST(SurfaceCommand, PolygonFormatsAreWoundOutwardsWithoutTheSlit) {
   expectPolygons<vtkSTLReader>("stl", 2 * (cells - flat));
 }
 
+TEST(SurfaceCommand, EndingsInCapitalsAreWrittenLikeOthers) {
+  const TemporaryFolder folder;
+  for (const char* ending : {"PLY", "Ply", "OBJ", "STL", "OFF", "VTP", "VTS", "CSV"}) {
+    const std::string file = folder.file(std::string("face.") + ending);
+    const Outcome outcome = runMien({"surface", "-o", file});
+    EXPECT_EQ(outcome.exitCode, 0) << ending << outcome.errors;
+    EXPECT_GT(readTextFile(file).size(), 10000u) << ending;
+    std::filesystem::remove(file);
+  }
+  EXPECT_EQ(entriesIn(folder.file("")), 0) << "nothing stays under another name";
+}
+
 TEST(SurfaceCommand, GridKeepsItsArraysAndHiddenCells) {
   const TemporaryFolder folder;
   const std::string file = folder.file("face.VTS");

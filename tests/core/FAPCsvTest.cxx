@@ -66,13 +66,34 @@ TEST(FAPCsv, ATimeBesideATimeOrAnAbsurdValueIsRefused) {
        {std::tuple{"time,Time,FAP3\n0,0,1\n", 1, "column 2 ('Time') says again what column 1 ('time') says"},
         {"FAP3,fap 3\n0,0\n", 1, "column 1 ('FAP3')"},
         {"frame,FAP3\n0,1\n1,-1e30\n", 3, "column 2 ('FAP3') is '-1e30'; FAP values lie within +-1e6"},
-        {"# mien fap csv 1; start=noon\nFAP3\n0\n", 2, "the start is 'noon'"}}) {
+        {"# mien fap csv 1; start=noon\nFAP3\n0\n", 1, "the start is 'noon'"}}) {
     FAPSequence sequence;
     const auto error = parseFAPCsv(text, sequence);
     ASSERT_TRUE(error.has_value()) << text;
     EXPECT_EQ(error->line, line) << text;
     EXPECT_NE(error->message.find(words), std::string::npos) << error->message;
   }
+}
+
+TEST(FAPCsv, TimesThatContradictTheRateAreWarnedOf) {
+  const auto sequence = parsedCsv("# mien fap csv 1; fps=50\nframe,time,FAP51\n0,7,1\n1,7.029,2\n2,7.08,3\n3,7.12,4\n");
+  EXPECT_EQ(sequence.framesPerSecond, 50.0);
+  ASSERT_EQ(sequence.warnings.size(), 1u);
+  EXPECT_EQ(sequence.warnings[0].line, 5);
+  EXPECT_EQ(sequence.warnings[0].message,
+            "column 2 ('time') is 0.08 s behind the first, but by fps=50 this is 0.04 s; fps counts, so leave it out "
+            "of line 1 if the times are right");
+}
+
+TEST(FAPCsv, FramesThatAreMissingAreWarnedOfAndWrittenWithoutTimes) {
+  const auto sequence = parsedCsv("# mien fap csv 1; fps=10\nframe,FAP51\n0,1\n1,2\n10,3\n");
+  ASSERT_EQ(sequence.warnings.size(), 1u);
+  EXPECT_EQ(sequence.warnings[0].line, 5);
+  EXPECT_EQ(sequence.warnings[0].message.rfind("frames 2 to 9 are missing", 0), 0u) << sequence.warnings[0].message;
+  std::string text;
+  EXPECT_EQ(writeFAPCsv(sequence, text), "");
+  EXPECT_NE(text.find("\nframe,FAP51\n0,1\n1,2\n10,3\n"), std::string::npos) << text;
+  EXPECT_EQ(parsedCsv("# mien fap csv 1; fps=10\nframe,time,FAP51\n4,0,1\n5,0.1,2\n").warnings.size(), 0u);
 }
 
 TEST(FAPCsv, OneTimedRowTellsNoRate) {

@@ -70,9 +70,23 @@ TEST(FAPParser, AMaskOf69EntriesIsReadWithoutTheLast) {
   EXPECT_EQ(sequence.warnings[0].line, 3);
 }
 
-TEST(FAPParser, AnEmptyMaskAndAbsurdMagnitudesAreRead) {
+TEST(FAPParser, AnEmptyMaskIsReadAndAbsurdMagnitudesAreLimitedWithAWarning) {
   EXPECT_TRUE(parsed(oneFrame({}, "0")).fapsUsed().empty());
-  EXPECT_EQ(parsed(oneFrame({49}, "0 -1e300")).frames[0].value(49), -1e300);
+  const FAPSequence sequence = parsed(oneFrame({48, 49, 50}, "0 1e6 -1e300 2e6"));
+  EXPECT_EQ(sequence.frames[0].value(48), 1e6);
+  EXPECT_EQ(sequence.frames[0].value(49), -1e6);
+  EXPECT_EQ(sequence.frames[0].value(50), 1e6);
+  ASSERT_EQ(sequence.warnings.size(), 1u);
+  EXPECT_EQ(sequence.warnings[0].line, 3);
+  EXPECT_EQ(sequence.warnings[0].message, "FAP 49 is -1e+300; FAP values lie within +-1e6, it was limited");
+}
+
+TEST(FAPParser, CommentsStandBehindTheEntriesOfALineToo) {
+  const FAPSequence sequence = parsed("2.1 take #2 25 1 # h\n" + maskText({53, 54}) + " # the lips\n0 10 -20# 3 4\n");
+  EXPECT_EQ(sequence.frames[0].value(53), 10.0);
+  EXPECT_EQ(sequence.frames[0].value(54), -20.0);
+  EXPECT_EQ(sequence.name, "take #2");
+  EXPECT_TRUE(sequence.warnings.empty());
 }
 
 TEST(FAPParser, VisemesHaveFourValuesAndExpressionsSix) {
@@ -131,6 +145,8 @@ TEST(FAPParser, FramesAreCountedFromTheDataWhateverTheHeaderSays) {
     EXPECT_EQ(sequence.frames.size(), 1u);
     ASSERT_EQ(sequence.warnings.size(), 1u) << count;
     EXPECT_EQ(sequence.warnings[0].line, 2);
+    EXPECT_EQ(sequence.warnings[0].message.rfind(std::string("the header says ") + count + " frames", 0), 0u)
+        << sequence.warnings[0].message;
   }
 }
 
@@ -160,6 +176,24 @@ TEST(FAPParser, FrameNumbersThatDoNotIncreaseAreWarnedOf) {
   EXPECT_EQ(sequence.warnings[0].line, 5);
 }
 
+TEST(FAPParser, FramesThatAreMissingAreWarnedOf) {
+  const auto warned = [](const std::string& header, std::initializer_list<int> numbers) {
+    std::string text = header;
+    for (const int number : numbers) text += maskText({53}) + "\n" + std::to_string(number) + " 1\n";
+    const auto warnings = parsed(text).warnings;
+    return warnings.empty() ? "" : std::to_string(warnings.back().line) + ": " + warnings.back().message;
+  };
+  const std::string after = "; those that are there play one after the other, 10 per second";
+  EXPECT_EQ(warned("2.1 n 10 3\n", {0, 1, 10}), "7: frames 2 to 9 are missing" + after);
+  EXPECT_EQ(warned("2.1 n 10 3\n", {7, 8, 10}), "7: frame 9 is missing" + after);
+  EXPECT_EQ(warned("2.1 n 10 5\n", {1, 5, 6, 8, 9}), "5: frames 2 to 4 are missing (in all 4 in 2 gaps)" + after);
+  EXPECT_EQ(warned("2.1 n 10 3\n", {0, 2, 4}), "5: the frame numbers step by 2" + after);
+  EXPECT_EQ(warned("2.1 n 10 4\n", {0, 100, 200, 500}), "9: frames between 200 and 500 are missing" + after);
+  EXPECT_EQ(warned("2.1 n 10 3\n", {0, 100, 200}), "") << "milliseconds";
+  EXPECT_EQ(warned("2.1 n 30 4\n", {0, 33, 67, 100}), "") << "rounded milliseconds";
+  EXPECT_EQ(warned("2.1 n 10 3\n", {3, 4, 5}), "");
+}
+
 TEST(FAPParser, EachKindOfWarningComesOnceAndInTheOrderOfTheLines) {
   std::string text = "2.1 n 25 7\n";
   for (int i = 0; i < 100; ++i) text += maskText({1, 53}, 69) + "\n" + std::to_string(i) + " 99 2\n";
@@ -172,6 +206,7 @@ TEST(FAPParser, NamesMayBeMissingOrLookLikeNumbers) {
   const std::string frame = "\n" + maskText({}) + "\n0\n";
   EXPECT_EQ(parsed("2.1 25 1" + frame).name, "");
   EXPECT_EQ(parsed("2.1 7 8 25 1" + frame).name, "7 8");
+  EXPECT_EQ(parsed("2.1 take #2 25 1" + frame).name, "take #2");
 }
 
 TEST(FAPParser, NumbersAreReadAndWrittenTheSameWhereTheDecimalPointIsAComma) {

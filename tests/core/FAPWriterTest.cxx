@@ -23,7 +23,7 @@ FAPSequence randomSequence(std::size_t count) {
     frame.viseme = {double(random() % 15), double(random() % 15), 31.0 / 3.0, double(random() % 2)};
     frame.expression = {double(random() % 7), 63.0, double(random() % 7), 1.0 / 3.0, double(random() % 2), 1.0};
     for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
-      if (random() % 2) frame.setValue(fap, value(random) * std::pow(10.0, int(random() % 20) - 10));
+      if (random() % 2) frame.setValue(fap, value(random) * std::pow(10.0, int(random() % 13) - 10));
   }
   return sequence;
 }

@@ -259,6 +259,48 @@ TEST(ScanAcquisition, StrayPartsGoAndEyeballsStay) {
   EXPECT_LT(distanceOf(result), 0.2);
 }
 
+TEST(ScanAcquisition, TheFaceIsFoundBesideAFloorThatIsLarger) {
+  DenseFace scan(110, 111);
+  const int first = static_cast<int>(scan.mesh.vertices.rows()),
+            triangles = static_cast<int>(scan.mesh.triangles.rows());
+  scan.mesh.vertices.conservativeResize(first + 4, 3);
+  scan.mesh.vertices.bottomRows(4) << -600, -180, -600, 600, -180, -600, 600, -180, 600, -600, -180, 600;
+  scan.mesh.triangles.conservativeResize(triangles + 2, 3);
+  scan.mesh.triangles.bottomRows(2) << first, first + 3, first + 2, first, first + 2, first + 1;
+  for (const LandmarkTable::Given& given : {LandmarkTable::Given{}, all()}) {
+    const AcquiredScan result = acquired(scan, given), alone = acquired(DenseFace(110, 111), given);
+    EXPECT_EQ(result.report.parts, 2);
+    EXPECT_EQ(result.report.facePart, 1);
+    EXPECT_EQ(result.report.droppedParts, 1);
+    EXPECT_EQ(alone.report.facePart, 0);
+    EXPECT_EQ(result.report.triangles, alone.report.triangles);
+    EXPECT_LT((result.face.curves.points - alone.face.curves.points).cwiseAbs().maxCoeff(), 1e-6) << "mm";
+  }
+  TriangleMesh other = sphere();
+  other.vertices.conservativeResize(other.vertices.rows() + 3, 3);
+  other.vertices.bottomRows(3) << 0, 300, 0, 9, 300, 0, 0, 300, 9;
+  other.triangles.conservativeResize(other.triangles.rows() + 1, 3);
+  const int last = static_cast<int>(other.vertices.rows()) - 1;
+  other.triangles.bottomRows(1) << last - 2, last - 1, last;
+  EXPECT_NE(faultWithout(other).find("(of its 2 parts only the largest was searched"), std::string::npos)
+      << faultWithout(other);
+}
+
+TEST(ScanAcquisition, FacesThatWindInwardsAndMirroredLandmarksAreTold) {
+  DenseFace scan(110, 111);
+  EXPECT_FALSE(acquired(scan, {}).report.windsInwards);
+  EXPECT_FALSE(acquired(scan, all()).report.windsInwards);
+  DenseFace turned(110, 111);
+  turned.mesh.triangles.col(0).swap(turned.mesh.triangles.col(1));
+  EXPECT_TRUE(acquired(turned, all()).report.windsInwards);
+  scan.mesh.vertices.col(0) *= -1.0;
+  scan.landmarks.points.col(0) *= -1.0;
+  EXPECT_TRUE(acquired(scan, {}).report.windsInwards);
+  AcquiredScan result;
+  const std::string fault = acquireScan(cleaned(scan.mesh), all(), scan.landmarks, referenceTemplate(), {}, result);
+  EXPECT_EQ(fault.rfind("the landmarks are those of a mirrored face", 0), 0u) << fault;
+}
+
 TEST(ScanAcquisition, StopsWhenAsked) {
   const DenseFace scan(60, 61);
   AcquiredScan result;

@@ -64,6 +64,29 @@ TEST(ScanReader, ReadsBinarySTL) {
        {std::vector<float>{0, 0, 1, 0, 0, 0, 2, 0, 0, 2, 3, 0}, std::vector<float>{0, 0, 1, 0, 0, 0, 2, 3, 0, 0, 3, 0}})
     bytes += std::string(reinterpret_cast<const char*>(triangle.data()), 48) + std::string(2, '\0');
   expectTwoTriangles(writeFile("binary.stl", bytes));
+  expectTwoTriangles(writeFile("longer.stl", bytes + "\n"));
+  bytes.replace(0, 5, "solid");
+  expectTwoTriangles(writeFile("solid.stl", bytes));
+}
+
+TEST(ScanReader, ReadsWhatOtherProgramsWrite) {
+  const std::string square = "0 0 0\n2 0 0\n2 3 0\n0 3 0\n";
+  for (const char* header :
+       {"OFF\n# a scan\n4 1 0\n", "# a scan\n\nOFF\n4 1 0 # counts\n", "OFF 4 1 0\n", "off\n4 1\n"})
+    expectTwoTriangles(writeFile("header.off", header + square + "4 0 1 2 3\n"));
+  const std::string vertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string list = "property list uchar int vertex_indices\n", start = "ply\nformat ascii 1.0\n";
+  expectTwoTriangles(writeFile("flags.ply", start + vertices + "element face 1\nproperty uchar flags\n" + list +
+                                                "end_header\n" + square + "7 4 0 1 2 3\n"));
+  expectTwoTriangles(
+      writeFile("first.ply", start + "element face 1\n" + list + vertices + "end_header\n4 0 1 2 3\n" + square));
+  expectTwoTriangles(writeFile("strips.ply", start + vertices + "element tristrips 1\nproperty list int int " +
+                                                 "vertex_indices\nend_header\n" + square + "8 0 1 3 2 -1 2 3 -1\n"));
+  expectTwoTriangles(writeFile("lines.obj", "v 0 0 0\nv 2 0 \\\n0\nv 2 3 0\nv 0 3 0\nf 1 2\\\n 3 \\\n4\n"));
+  expectTwoTriangles(writeFile(
+      "capitals.stl",
+      "SOLID Q\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 2 0 0\nVERTEX 2 3 0\nENDLOOP\nENDFACET\nFACET "
+      "NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 2 3 0\nVERTEX 0 3 0\nENDLOOP\nENDFACET\nENDSOLID\n"));
 }
 
 TEST(ScanReader, NamesTheFileAtFault) {
@@ -99,29 +122,38 @@ TEST(ScanReader, NegativeCountsAreRefused) {
 }
 
 TEST(ScanReader, RefusesVerticesThatAreNoNumbersWithTheirLine) {
-  for (const std::string vertex : {"v nan 0 0", "v 0 inf 0", "v 0 0", "v 1 2 three"}) {
-    const std::string file = writeFile("hole.obj", "v 0 0 0\nv 2 0 0\n" + vertex + "\nv 2 3 0\nv 0 3 0\nf 1 2 4 5\n");
-    EXPECT_NE(errorOf(file).find(file + ": line 3: a vertex that is not a finite number"), std::string::npos)
-        << errorOf(file);
+  for (const auto& [vertex, what] : {std::pair{"v nan 0 0", "'nan' where a finite number belongs"},
+                                     {"v 0 inf 0", "'inf' where a finite number belongs"},
+                                     {"v 1 2 three", "'three' where a finite number belongs"},
+                                     {"v 0 0", "2 numbers, not three"},
+                                     {"v", "0 numbers, not three"}}) {
+    const std::string file =
+        writeFile("hole.obj", std::string("v 0 0 0\nv 2 0 0\n") + vertex + "\nv 2 3 0\nv 0 3 0\nf 1 2 4 5\n");
+    EXPECT_EQ(errorOf(file).rfind(file + ":3: a vertex has " + what, 0), 0u) << errorOf(file);
   }
-  EXPECT_NE(errorOf(writeFile("nan.off", "OFF\n3 1 0\n0 0 0\n2 nan 0\n2 3 0\n3 0 1 2\n")).find("line 4: a vertex"),
-            std::string::npos);
+  for (const auto& [word, what] : {std::pair{"nan", "'nan' where a finite number belongs"},
+                                   {"1e999", "'1e999' where a finite number belongs"},
+                                   {"ten", "'ten' where a number belongs"},
+                                   {"1,5", "'1,5' where a number belongs"}}) {
+    const std::string off = writeFile("hole.off", std::string("OFF\n3 1 0\n0 0 0\n2 ") + word + " 0\n2 3 0\n3 0 1 2\n");
+    EXPECT_EQ(errorOf(off).rfind(off + ":4: vertex 2 of 3 has " + what, 0), 0u) << errorOf(off);
+  }
 }
 
 TEST(ScanReader, RefusesFacesWithCornersThatAreNoVertices) {
   const std::string places = "v 0 0 0\nv 2 0 0\nv 2 3 0\nv 0 3 0\n";
   const std::string obj = errorOf(writeFile("far.obj", places + "f 1 2 3 4\nf 1 2 5\nf 0 1 2\n"));
-  EXPECT_NE(obj.find("line 6: a face has the corner 5, but there are 4 vertices (2 faces are like that)"),
+  EXPECT_NE(obj.find(":6: a face has the corner 5, but there are 4 vertices (2 faces are like that)"),
             std::string::npos)
       << obj;
   const std::string off = errorOf(writeFile("far.off", "OFF\n3 2 0\n0 0 0\n2 0 0\n2 3 0\n3 0 1 2\n3 0 1 7\n"));
-  EXPECT_NE(off.find("line 7: a face has the corner 7, but there are 3 vertices;"), std::string::npos) << off;
+  EXPECT_NE(off.find(":7: a face has the corner 7, but there are 3 vertices;"), std::string::npos) << off;
   const std::string header =
       "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 2\nproperty list "
       "uchar int vertex_indices\nend_header\n";
   const std::string text =
       errorOf(writeFile("far.ply", "ply\nformat ascii 1.0\n" + header + "0 0 0\n2 0 0\n2 3 0\n3 0 1 2\n3 0 -1 2\n"));
-  EXPECT_NE(text.find("line 14: a face has the corner -1"), std::string::npos) << text;
+  EXPECT_NE(text.find(":14: a face has the corner -1"), std::string::npos) << text;
   std::string bytes = "ply\nformat binary_little_endian 1.0\n" + header + std::string(36, '\0');
   for (const char corner : {'\2', '\3'}) bytes += std::string("\3\0\0\0\0\1\0\0\0", 9) + corner + std::string(3, '\0');
   const std::string binary = errorOf(writeFile("far_binary.ply", bytes));

@@ -20,6 +20,7 @@
 #include "FaceModel.h"
 #include "FaceView.h"
 #include "ReferenceData.h"
+#include "ScanKey.h"
 #include "ScanPanel.h"
 #include "StudioFixture.h"
 
@@ -64,10 +65,11 @@ TEST_F(ScanPanel, AScanIsMeasuredAdoptedAndCompared) {
   EXPECT_TRUE(find<QToolButton>("scanCancel")->isVisible());
   ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
   EXPECT_EQ(message(), "");
-  EXPECT_TRUE(report().contains("landmarks  given")) << report().toStdString();
-  EXPECT_TRUE(report().contains("unit       mm")) << report().toStdString();
-  EXPECT_TRUE(report().startsWith("Curves measured from this scan, not adopted yet:")) << report().toStdString();
-  EXPECT_TRUE(report().contains(QRegularExpression("of these curves to scan [0-9.]+ mm RMS, at most [0-9.]+ mm\n")));
+  EXPECT_TRUE(report().contains("Landmarks  from the file, ")) << report().toStdString();
+  EXPECT_TRUE(report().contains("Mesh       in mm, recognised by the size of the head; ")) << report().toStdString();
+  EXPECT_TRUE(report().startsWith("Curves measured from subject01_neutral.ply, not adopted yet:"))
+      << report().toStdString();
+  EXPECT_TRUE(report().contains(QRegularExpression("lies [0-9.]+ mm RMS from the scan, [0-9.]+ mm at most\n")));
   find<QComboBox>("scanDistances")->setCurrentIndex(1);
   ASSERT_TRUE(waitUntil([&] { return report().startsWith("Shown face to scan"); }, longest));
   const auto rms = [&] { return report().section("RMS ", 1).section(" ", 0, 0).toDouble(); };
@@ -79,7 +81,8 @@ TEST_F(ScanPanel, AScanIsMeasuredAdoptedAndCompared) {
   EXPECT_EQ(window->model().state().curvesFile, folder.filePath("anna.vtp").toStdString());
   ASSERT_TRUE(waitUntil([&] { return rms() < 0.7; }, longest)) << report().toStdString();
   EXPECT_GT(before, 2.0 * rms());
-  EXPECT_TRUE(report().contains("Curves measured from this scan, which are the shown face:")) << report().toStdString();
+  EXPECT_TRUE(report().contains("Curves measured from subject01_neutral.ply, which are the shown face:"))
+      << report().toStdString();
   find<QComboBox>("scanDistances")->setCurrentIndex(2);
   ASSERT_TRUE(waitUntil([&] { return report().startsWith("Scan to shown face"); }, longest));
   find<QComboBox>("scanDistances")->setCurrentIndex(0);
@@ -110,6 +113,30 @@ TEST_F(ScanPanel, TheReportIsAsHighAsItsText) {
   settle();
   EXPECT_FALSE(find<QScrollArea>("curvesDockScroll")->verticalScrollBar()->isVisible())
       << "a long report makes the other page no longer";
+}
+
+/// Each line, with the distances above them, in windows of the usual sizes; and the key says which skin is which.
+TEST_F(ScanPanel, TheReportOfAScanIsSeenWhole) {
+  MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
+  find<QAction>("actionWorkspace4")->trigger();
+  auto* key = find<mien::ScanKey>("scanKey");
+  EXPECT_FALSE(key->isVisible());
+  openSubject();
+  ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
+  EXPECT_TRUE(key->isVisible());
+  EXPECT_TRUE(key->parentWidget()->rect().contains(key->geometry()));
+  for (int subject : {0, 1}) {
+    find<QComboBox>("scanDistances")->setCurrentIndex(subject);
+    ASSERT_TRUE(waitUntil([&] { return report().startsWith("Shown face to scan") == (subject == 1); }, longest));
+    EXPECT_EQ(key->isVisible(), subject == 0) << "the scan is hidden where colours have a meaning";
+    for (const QSize& size : {QSize(1000, 700), QSize(1280, 800), QSize(2560, 1440)}) {
+      window->resize(size);
+      find<QAction>("actionResetWorkspace")->trigger();
+      settle();
+      EXPECT_FALSE(find<QScrollArea>("curvesDockScroll")->verticalScrollBar()->isVisible())
+          << size.width() << " " << subject;
+    }
+  }
 }
 
 TEST_F(ScanPanel, TheButtonSaysThatItAsksForAFile) {

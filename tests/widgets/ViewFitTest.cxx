@@ -169,7 +169,7 @@ TEST_F(ViewFit, TitlesAndNumbersAreWhole) {
     EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
     for (const char* name : {"compareSummaryA", "compareSummaryB"}) {
       const QString shown = find<mien::ElidedLabel>(name)->shownText();
-      EXPECT_TRUE(shown.contains(QRegularExpression("^RMS [0-9.]+, 95 % [0-9.]+, max [0-9.]+ mm")))
+      EXPECT_TRUE(shown.contains(QRegularExpression("^RMS [0-9.]+, 95 % \u2264 [0-9.]+, max [0-9.]+ mm")))
           << shown.toStdString();
     }
     find<mien::ViewArea>("viewArea")->comparison()->clear();
@@ -208,7 +208,7 @@ TEST_F(ViewFit, TheFaceOfAHeadIsLargeAndItsNeckIsNotCounted) {
   EXPECT_EQ(distance("otherFaceView"), distance("faceView"));
   expectUncountedWithoutNumber(comparison->drawn(mien::Comparison::Side::B), chin() - 15.0);
   const QString summary = comparison->summary(mien::Comparison::Side::B);
-  EXPECT_TRUE(summary.startsWith("RMS 0.00, 95 % 0.00, max 0.00 mm, B to A, ")) << summary.toStdString();
+  EXPECT_TRUE(summary.startsWith("RMS 0.00, 95 % \u2264 0.00, max 0.00 mm, B to A, ")) << summary.toStdString();
   EXPECT_TRUE(summary.endsWith(" % opposite")) << summary.toStdString();
   EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
   const double withHead = distance("faceView");

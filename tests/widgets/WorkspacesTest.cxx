@@ -14,6 +14,8 @@
 
 #include "ColorScale.h"
 #include "DockScroll.h"
+#include "ExpressionRow.h"
+#include "FAPRow.h"
 #include "OverflowRow.h"
 #include "SessionDocument.h"
 #include "StudioFixture.h"
@@ -160,18 +162,83 @@ TEST_F(Workspaces, WhatWaitsInAPanelWorksThereAndComesBack) {
   EXPECT_LT(find<QToolButton>("curveFrontOnly")->x(), link->x());
 }
 
-/// Neither the window nor a dock of the small Deform workspace scrolls sideways.
+/// Neither the window nor a dock of a small workspace scrolls sideways.
 TEST_F(Workspaces, DocksBelowNeverScrollSideways) {
   for (const QSize& size : {QSize(1000, 700), smallest}) {
     window->resize(size);
     settle();
-    for (int i : {3, 4}) {
+    for (int i : {2, 3, 4}) {
       choose(i);
-      for (const auto* area : window->findChildren<mien::DockScroll*>())
-        if (area->isVisible())
-          EXPECT_FALSE(area->horizontalScrollBar()->isVisible()) << i << " " << area->objectName().toStdString();
+      for (const char* name : {"spectrumDock", "smoothingDock", "continuityDock", "deformationDock", "vectorsDock",
+                               "curvesDock", "textureDock"}) {
+        if (!dock(name)->isVisible()) continue;
+        dock(name)->raise();
+        settle();
+        const auto* area = find<mien::DockScroll>(QString(name) + "Scroll");
+        EXPECT_FALSE(area->horizontalScrollBar()->isVisible())
+            << i << " " << name << ": " << area->widget()->minimumSizeHint().width() << " of "
+            << area->viewport()->width();
+      }
     }
   }
+}
+
+/// Beside the FAPs as well, where a dock is opened from the menu.
+TEST_F(Workspaces, ADockBesideTheOthersNeverScrollsSideways) {
+  for (const QSize& size : {QSize(1000, 700), QSize(960, 700)}) {
+    window->resize(size);
+    settle();
+    for (const char* name : {"smoothingDock", "continuityDock"}) {
+      dock(name)->toggleViewAction()->trigger();
+      settle();
+      EXPECT_TRUE(dock(name)->isVisible());
+      EXPECT_FALSE(find<mien::DockScroll>(QString(name) + "Scroll")->horizontalScrollBar()->isVisible())
+          << name << " at " << size.width();
+      dock(name)->toggleViewAction()->trigger();
+    }
+  }
+}
+
+/// Where a column of rows scrolls, the last that is seen is whole.
+TEST_F(Workspaces, NoRowOfAColumnIsCutThrough) {
+  for (const QSize& size : {QSize(1000, 700), QSize(1000, 660), QSize(1280, 720)}) {
+    window->resize(size);
+    settle();
+    for (int i : {1, 3}) {
+      choose(i);
+      settle();
+      for (const auto* row : window->findChildren<mien::FAPRow*>()) {
+        if (!row->visibleRegion().isEmpty())
+          EXPECT_EQ(row->visibleRegion().boundingRect().height(), row->height()) << i << " " << size.height();
+      }
+      for (const auto* row : window->findChildren<mien::ExpressionRow*>())
+        if (!row->visibleRegion().isEmpty())
+          EXPECT_EQ(row->visibleRegion().boundingRect().height(), row->height()) << i << " " << size.height();
+    }
+  }
+}
+
+/// A high window lists all FAPs rather than nothing, until the user has chosen.
+TEST_F(Workspaces, AHighWindowHasNoHoleAtTheLeft) {
+  const auto* all = find<QToolButton>("fapAll");
+  EXPECT_FALSE(all->isChecked());
+  window->resize(2560, 1440);
+  settle();
+  EXPECT_TRUE(all->isChecked());
+  int bottom = 0;
+  for (const auto* row : window->findChildren<mien::FAPRow*>())
+    if (!row->visibleRegion().isEmpty())
+      bottom = std::max(bottom, row->mapTo(window.get(), QPoint(0, row->height())).y());
+  const auto* lock = find<QWidget>("fapMirror");
+  EXPECT_LT(lock->mapTo(window.get(), QPoint()).y() - bottom, 60);
+  window->resize(1280, 800);
+  settle();
+  EXPECT_FALSE(all->isChecked());
+  find<QToolButton>("fapAll")->click();
+  window->resize(1280, 820);
+  settle();
+  EXPECT_TRUE(all->isChecked()) << "it is the user's from then on";
+  find<QToolButton>("fapAll")->click();
 }
 
 /// Of the scale of the curves, whatever it ends with.

@@ -47,7 +47,8 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
                            "it to the present face"))),
       begin_(new NumberBox(this)),
       to_(new QLabel(tr("\u2013"), this)),
-      end_(new NumberBox(this)) {
+      end_(new NumberBox(this)),
+      unit_(new QLabel(this)) {
   describe();
   fillRow();
   connect(choice_, &QComboBox::currentTextChanged, coloring_, &FaceColoring::choose);
@@ -77,7 +78,8 @@ void ColoringBar::fillRow() {
   auto* numbers = new QHBoxLayout(range_);
   numbers->setContentsMargins(0, 0, 0, 0);
   numbers->setSpacing(3);
-  for (QWidget* widget : std::initializer_list<QWidget*>{automatic_, begin_, to_, end_}) numbers->addWidget(widget);
+  for (QWidget* widget : std::initializer_list<QWidget*>{automatic_, begin_, to_, end_, unit_})
+    numbers->addWidget(widget);
   addWidget(curves, 1);
   addWidget(names, 2);
   addWidget(label);
@@ -105,6 +107,8 @@ void ColoringBar::describe() {
   begin_->setAccessibleName(tr("First colour"));
   end_->setObjectName("colorEnd");
   end_->setAccessibleName(tr("Last colour"));
+  unit_->setObjectName("colorUnit");
+  unit_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("1/mm\u00b2")));  // the longest: the row does not move
   for (QDoubleSpinBox* box : {begin_, end_}) {
     box->setRange(-largestValue, largestValue);
     box->setDecimals(mostDecimals);
@@ -153,7 +157,7 @@ void ColoringBar::follow() {
   choice_->setCurrentIndex(choice_->findText(coloring_->chosen()));
   choice_->setProperty(notInSession, !coloring_->ofDock().isEmpty());  // the dock's own settings show it again
   automatic_->setChecked(coloring_->isAutomatic());
-  for (QWidget* widget : std::initializer_list<QWidget*>{automatic_, begin_, to_, end_}) {
+  for (QWidget* widget : std::initializer_list<QWidget*>{automatic_, begin_, to_, end_, unit_}) {
     keepPlace(widget, coloring_->ofDock().isEmpty());
     widget->setVisible(coloring_->isNumbers());
   }
@@ -167,6 +171,7 @@ void ColoringBar::follow() {
 void ColoringBar::showRange() {
   begin_->setValue(coloring_->begin());
   end_->setValue(coloring_->end());
+  unit_->setText(coloring_->chosen().section(" (", 1).section(')', 0, 0));
   begin_->setToolTip(tr("The value that has the first colour, in the unit of %1").arg(coloring_->chosen()));
   end_->setToolTip(tr("The value that has the last colour, in the unit of %1").arg(coloring_->chosen()));
 }

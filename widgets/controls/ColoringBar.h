@@ -40,6 +40,7 @@ class ColoringBar : public OverflowRow {
   QDoubleSpinBox* begin_;
   QLabel* to_;
   QDoubleSpinBox* end_;
+  QLabel* unit_;
 };
 
 }  // namespace mien

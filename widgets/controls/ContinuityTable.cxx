@@ -54,7 +54,7 @@ ContinuityTable::ContinuityTable(QWidget* parent) : QTableWidget(parent) {
   }
   horizontalHeader()->setMinimumSectionSize(widest + headMargins);
   horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-  setMinimumWidth(360);
+  setMinimumWidth(300);
 }
 
 void ContinuityTable::setRowNames(const QString& title, const QStringList& names) {

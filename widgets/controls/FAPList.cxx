@@ -11,12 +11,9 @@
 namespace mien {
 
 FAPList::FAPList(QWidget* parent)
-    : QScrollArea(parent), nothing_(new QLabel(tr("No FAP has this name, number or feature point."))) {
+    : RowScroll(parent), nothing_(new QLabel(tr("No FAP has this name, number or feature point."))) {
   setObjectName("fapList");
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setFocusPolicy(Qt::NoFocus);
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 6, 0);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QHash>
-#include <QScrollArea>
+#include <vector>
+
+#include "RowScroll.h"
 
 class QLabel;
 
@@ -11,7 +13,7 @@ class FAPRow;
 class FAPSection;
 
 /// Every low-level FAP in one list, a section for each feature, from the top of the face down.
-class FAPList : public QScrollArea {
+class FAPList : public RowScroll {
   Q_OBJECT
  public:
   explicit FAPList(QWidget* parent = nullptr);

@@ -1,5 +1,8 @@
 #include "GrowingText.h"
 
+#include <QHelpEvent>
+#include <QTextBlock>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -26,6 +29,18 @@ void GrowingText::grow() {
 void GrowingText::resizeEvent(QResizeEvent* event) {
   QPlainTextEdit::resizeEvent(event);
   grow();
+}
+
+void GrowingText::setDetails(const QStringList& details) {
+  details_ = details;
+}
+
+bool GrowingText::viewportEvent(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QPlainTextEdit::viewportEvent(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const QString detail = details_.value(cursorForPosition(help->pos()).block().blockNumber());
+  QToolTip::showText(help->globalPos(), detail.isEmpty() ? toolTip() : detail, this);
+  return true;
 }
 
 /// Goes to what it lies in.

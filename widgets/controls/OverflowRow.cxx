@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QFrame>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -66,6 +67,16 @@ void OverflowRow::addWidget(QWidget* widget, int rank) {
   items_.push_back({widget, rank, 0});
   row_->insertWidget(row_->count() - 1, widget, growsSideways(*widget) ? 1 : 0);
   widget->installEventFilter(this);
+}
+
+void OverflowRow::addLabelled(const QString& label, QWidget* widget, int rank) {
+  auto* both = new QWidget(this);
+  auto* row = new QHBoxLayout(both);
+  row->setContentsMargins(0, 0, 0, 0);
+  both->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  row->addWidget(new QLabel(label, both));
+  row->addWidget(widget);
+  addWidget(both, rank);
 }
 
 void OverflowRow::addSpacing(int pixels) {

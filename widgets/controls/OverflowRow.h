@@ -19,6 +19,7 @@ class OverflowRow : public QWidget {
 
   /// @param rank  those of the greatest leave the row first, of one rank the last; of 0 never
   void addWidget(QWidget* widget, int rank = 0);
+  void addLabelled(const QString& label, QWidget* widget, int rank = 0);  ///< stay together
   void addSpacing(int pixels);
   void addStretch();
   void setMargins(int left, int top, int right, int bottom);

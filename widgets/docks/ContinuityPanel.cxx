@@ -26,6 +26,7 @@
 #include "FigureView.h"
 #include "FlipBox.h"
 #include "LiveUpdate.h"
+#include "OverflowRow.h"
 #include "RoundedUp.h"
 #include "SeamMeasureKind.h"
 #include "SurfaceParameters.h"
@@ -36,6 +37,7 @@ namespace mien {
 namespace {
 
 constexpr int fineRows = 218, fineColumns = 160;  // every curve is a row, and a stripe runs over several cells
+constexpr int leastProfile = 150;                 // pixels beside the table
 constexpr double meanRange = 0.05;                // 1/mm: a radius of 20 mm
 constexpr double gaussianRange = 0.002;           // 1/mm^2
 constexpr double pointExtent = 60.0;              // mm, around one point of a seam
@@ -72,9 +74,11 @@ ContinuityPanel::ContinuityPanel(FaceModel* model, FaceView* view, QWidget* pare
   column->setContentsMargins(8, 4, 8, 6);
   column->setSpacing(4);
   column->addWidget(controls());
-  column->addWidget(new FlipBox(new WholeRows(table_, ContinuityTable::leastLine, ContinuityTable::mostLine, this),
-                                figure_, 1, 1, this),
-                    1);
+  auto* both = new FlipBox(new WholeRows(table_, ContinuityTable::leastLine, ContinuityTable::mostLine, this), figure_,
+                           1, 1, this);
+  both->showAllOfFirst(leastProfile);
+  figure_->setMinimumWidth(leastProfile);
+  column->addWidget(both, 1);
   connectControls();
   new LiveUpdate(
       model, this, [this] { refresh(); }, [this] { return overlay_->isShown(); });
@@ -109,23 +113,18 @@ void ContinuityPanel::describeControls() {
 }
 
 QWidget* ContinuityPanel::controls() {
-  auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = new OverflowRow("continuityControls", this);
   row->addWidget(rows_);
-  row->addWidget(part_);
-  row->addSpacing(10);
-  row->addWidget(new QLabel(tr("Profile"), box));
-  row->addWidget(measure_);
-  row->addSpacing(10);
-  row->addWidget(new QLabel(tr("On the face"), box));
-  row->addWidget(onFace_);
+  row->addWidget(part_, 3);
+  row->addLabelled(tr("Profile"), measure_, 1);
+  row->addLabelled(tr("On the face"), onFace_, 2);
   row->addStretch();
   row->addWidget(new ExportButton(
-      "continuityExport", model_,
-      [this](const ExportOptions& options) { return ExportDrawing(profileFigure(), options); },
-      [this] { return numbers(); }, box));
-  return box;
+                     "continuityExport", model_,
+                     [this](const ExportOptions& options) { return ExportDrawing(profileFigure(), options); },
+                     [this] { return numbers(); }, row),
+                 4);
+  return row;
 }
 
 void ContinuityPanel::connectControls() {

@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
+#include <QScopedValueRollback>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QToolButton>
@@ -17,6 +17,8 @@
 #include "FAPTable.h"
 #include "FaceModel.h"
 #include "Remembered.h"
+#include "RowScroll.h"
+#include "SessionPart.h"
 
 namespace mien {
 
@@ -26,6 +28,7 @@ namespace {
 constexpr int brows = 4, eyes = 3, cheeks = 5, nose = 9, mouth = 8;
 
 constexpr int pageMargins = 16;  // pixels
+constexpr int highPanel = 560;   // pixels: twice the rows of a tab
 
 constexpr const char* mirrorKey = "faps/mirror";
 constexpr const char* allKey = "faps/all";
@@ -101,9 +104,14 @@ QWidget* FAPPanel::header() {
   all_->setChecked(Remembered::value(allKey, false).toBool());
   all_->setFocusPolicy(Qt::TabFocus);
   connect(tabs_, &QTabBar::currentChanged, this, &FAPPanel::arrange);
+  isChosen_ = Remembered::value(allKey, QVariant()).isValid();
+  all_->setProperty(notInSession, !isChosen_);
   connect(all_, &QToolButton::toggled, this, [this](bool on) {
-    Remembered::set(allKey, on);
     arrange();
+    if (isFitting_) return;
+    isChosen_ = true;
+    all_->setProperty(notInSession, false);
+    Remembered::set(allKey, on);
     if (on) search_->setFocus();
   });
   row->addWidget(head_, 1);
@@ -131,11 +139,8 @@ void FAPPanel::addTab(int group, const QString& title) {
   column->addLayout(rows);
   column->addStretch();
   tabColumns_.insert(group, rows);
-  auto* scroll = new QScrollArea(pages_);  // a low screen must hold the docks above and below
-  scroll->setFrameShape(QFrame::NoFrame);
+  auto* scroll = new RowScroll(pages_);  // a low screen must hold the docks above and below
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidgetResizable(true);
-  scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setWidget(page);
   pages_->addWidget(scroll);
   tabs_->setTabToolTip(tabs_->addTab(title),
@@ -191,6 +196,14 @@ QWidget* FAPPanel::footer() {
   row->addStretch();
   row->addWidget(reset);
   return bar;
+}
+
+/// Until the user has chosen, all FAPs are listed where the 22 of one tab would leave most of the panel empty.
+void FAPPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (isChosen_) return;
+  const QScopedValueRollback<bool> fitting(isFitting_, true);
+  all_->setChecked(height() >= highPanel);
 }
 
 void FAPPanel::showPartners() {

@@ -23,6 +23,9 @@ class FAPPanel : public QWidget {
  public:
   FAPPanel(FaceModel* model, QWidget* parent = nullptr);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QWidget* header();
   QWidget* footer();
@@ -45,6 +48,8 @@ class FAPPanel : public QWidget {
   QCheckBox* mirror_;
   QHash<int, FAPRow*> rows_;
   QHash<int, QVBoxLayout*> tabColumns_;  ///< by group
+  bool isChosen_ = false;                ///< by the user: whether all or those of a tab
+  bool isFitting_ = false;
 };
 
 }  // namespace mien

@@ -10,7 +10,6 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFontDatabase>
 #include <QLabel>
 #include <QMimeData>
 #include <QProgressBar>
@@ -27,10 +26,11 @@
 #include "FaceModel.h"
 #include "FaceView.h"
 #include "FramedButton.h"
-#include "GrowingText.h"
 #include "LengthUnit.h"
 #include "OverflowRow.h"
 #include "RangeBox.h"
+#include "ScanKey.h"
+#include "ScanReportView.h"
 
 namespace mien {
 
@@ -69,12 +69,13 @@ ScanPanel::ScanPanel(FaceModel* model, FaceView* view, QWidget* parent)
       frontal_(new QCheckBox(tr("Front only"), this)),
       largest_(new RangeBox("scanLargest", longestRange, this)),
       progress_(new QProgressBar(this)),
-      report_(new GrowingText(this)) {
+      report_(new ScanReportView(this)),
+      key_(new ScanKey(scanColor, view)) {
   setObjectName("scanPanel");
   describeButtons();
   describeMap();
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 6, 0, 0);
+  column->setContentsMargins(0, 4, 0, 0);
   column->setSpacing(4);
   column->addWidget(row("scanControls", {open_, landmarks_, unit_, adopt_, visible_}));
   column->addWidget(
@@ -113,9 +114,6 @@ void ScanPanel::describeButtons() {
   tellVisible();
   progress_->setObjectName("scanProgress");
   progress_->setFixedWidth(120);
-  report_->setObjectName("scanReport");
-  report_->setToolTip(tr("What was found: unit, pose, mesh, landmarks, distance of the scan's own spline face"));
-  report_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
 }
 
 void ScanPanel::describeMap() {
@@ -130,7 +128,7 @@ void ScanPanel::describeMap() {
   frontal_->setObjectName("scanFrontal");
   frontal_->setChecked(true);
   frontal_->setToolTip(
-      tr("RMS, median, 95 % and largest of what lies in front of z = 50 mm, the face without its head"));
+      tr("RMS, median, 95th percentile and largest of what lies in front of z = 50 mm, the face without its head"));
 }
 
 /// The last ones give way where there is no room for all, but for what is only there while a scan is measured.
@@ -262,7 +260,7 @@ void ScanPanel::forget() {
   const bool wasShown = scan_;
   curves_ = nullptr;
   scan_ = nullptr;
-  text_.clear();
+  found_.clear();
   framed_.clear();
   map_->setScan(nullptr);
   showScan();
@@ -297,7 +295,7 @@ void ScanPanel::take(const Found& found) {
   curves_ = found.scan.curves;
   adopted_.clear();
   scan_ = found.scan.scan;
-  text_ = QString::fromStdString(reportText(found.scan.result)).trimmed();
+  found_ = scanReportLines(found.scan.result);
   map_->setScan(scan_);
   showScan();
   showReport();
@@ -321,11 +319,12 @@ bool ScanPanel::adopt(const QString& fileName) {
 }
 
 /// Distances of the shown face stand above it: whose these are has to be said.
-QString ScanPanel::reportOfCurves() const {
+void ScanPanel::addReport() {
   const bool isShown = !adopted_.isEmpty() && model_->state().curvesFile == adopted_.toStdString();
-  return (isShown ? tr("Curves measured from this scan, which are the shown face:")
-                  : tr("Curves measured from this scan, not adopted yet:")) +
-         "\n" + text_;
+  const QString heading = isShown ? tr("Curves measured from %1, which are the shown face:")
+                                  : tr("Curves measured from %1, not adopted yet:");
+  report_->addLine(heading.arg(QFileInfo(file_).fileName()), file_);
+  report_->addLines(found_);
 }
 
 void ScanPanel::showReport() {
@@ -335,12 +334,16 @@ void ScanPanel::showReport() {
   adopt_->setEnabled(curves_ && !running);
   visible_->setEnabled(scan_ && !isHiddenByColors());
   for (QWidget* control : std::initializer_list<QWidget*>{subject_, largest_, frontal_}) control->setEnabled(scan_);
-  QString text = text_.isEmpty()
-                     ? tr("A scan opened here or dropped onto the dock is measured and shown over the face.")
-                     : reportOfCurves();
-  if (running) text = tr("Measuring %1 ...").arg(QFileInfo(file_).fileName());
-  if (!map_->summary().isEmpty()) text = map_->summary() + "\n" + text;
-  if (text != report_->toPlainText()) report_->setPlainText(text);
+  report_->begin();
+  if (!map_->summary().isEmpty())
+    report_->addLine(map_->summary(), tr("95 % of the area are no further away than the 95th percentile"));
+  if (running)
+    report_->addLine(tr("Measuring %1 ...").arg(QFileInfo(file_).fileName()));
+  else if (found_.empty())
+    report_->addLine(tr("A scan opened here or dropped onto the dock is measured and shown over the face."));
+  else
+    addReport();
+  report_->end();
 }
 
 /// Seen through a scan, colours of the face would not be those of their scale; and a scan that is coloured by distances
@@ -371,6 +374,7 @@ void ScanPanel::showScan() {
   tellVisible();
   const bool isOpen = scan_ && visible_->isChecked(), isPlain = isOpen && !isHiddenByColors();
   const bool isColored = scan_ && map_->subject() == DistanceMap::Subject::Scan;
+  key_->setVisible(isPlain);
   view_->setCompany(isPlain || isColored ? scan_->GetBounds() : nullptr);
   if (isPlain) {
     vtkNew<vtkPolyDataMapper> mapper;

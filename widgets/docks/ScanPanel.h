@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "DistanceMap.h"
+#include "ScanReportText.h"
 #include "SessionPart.h"
 
 class QCheckBox;
@@ -22,8 +23,9 @@ namespace mien {
 class BackgroundTask;
 class FaceModel;
 class FaceView;
-class GrowingText;
 class RangeBox;
+class ScanKey;
+class ScanReportView;
 
 /// What face does a scan have, and how far is the present one from it? A scan is measured off the GUI thread and shown
 /// beside the face; its curves can become the face, and distances are shown as colours.
@@ -65,7 +67,7 @@ class ScanPanel : public QWidget, public SessionPart {
   void chooseLandmarks(bool on);
   void chooseAdopted();
   void showLandmarkFile();
-  QString reportOfCurves() const;
+  void addReport();
   void showReport();
   void showScan();
   bool isHiddenByColors() const;
@@ -81,10 +83,12 @@ class ScanPanel : public QWidget, public SessionPart {
   QCheckBox *visible_, *frontal_;
   RangeBox* largest_;
   QProgressBar* progress_;
-  GrowingText* report_;
+  ScanReportView* report_;
+  ScanKey* key_;
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> curves_, scan_;
-  QString file_, landmarkFile_, text_, adopted_;
+  std::vector<ScanReportLine> found_;
+  QString file_, landmarkFile_, adopted_;
   bool colored_ = false;  ///< whether colours on the face mean something
   QString framed_;        ///< the scan that the camera has been moved back for
 };

@@ -6,10 +6,10 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QSignalBlocker>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -27,6 +27,7 @@
 #include "FlipBox.h"
 #include "LiveUpdate.h"
 #include "NumberRange.h"
+#include "OverflowRow.h"
 #include "SessionPart.h"
 #include "SweepBreakdown.h"
 #include "SweepFigure.h"
@@ -43,6 +44,9 @@ constexpr double stepFactor = 1.1;  // of a, by an arrow key
 constexpr double smallestSmoothing = 0.001;
 constexpr const char* startRange = "0.1:100:31log";
 constexpr size_t mostValues = 1000;
+constexpr int saidWidth = 152;         // pixels: "31 values, log spaced", or the progress and its button
+constexpr int leastFigureWidth = 270;  // pixels beside the thumbnails
+constexpr double fewThumbnails = 0.6;  // of them, where the key of all schemes needs the width
 
 std::vector<ThumbnailStrip::Picture> drawPictures(const FaceCurves& face, const FaceSurfaceOptions& surface,
                                                   const std::vector<double>& values, const ThumbnailStyle& style,
@@ -98,6 +102,7 @@ SmoothingPanel::SmoothingPanel(FaceModel* model, QWidget* parent)
       measure_(new QComboBox(this)),
       allSchemes_(new QCheckBox(tr("All schemes"), this)),
       range_(new QLineEdit(startRange, this)),
+      said_(new QStackedWidget(this)),
       spacing_(new ElidedLabel(this)),
       progress_(new QProgressBar(this)),
       cancel_(new QToolButton(this)) {
@@ -122,7 +127,7 @@ SmoothingPanel::~SmoothingPanel() {
 
 void SmoothingPanel::describeControls() {
   measure_->setObjectName("smoothingMeasure");
-  measure_->setMinimumContentsLength(20);  // filled when the first sweep is there
+  measure_->setMinimumContentsLength(16);  // filled when the first sweep is there
   measure_->setToolTip(tr("What is drawn over a; departures are from the same scheme's surface at a = 1"));
   allSchemes_->setObjectName("smoothingAllSchemes");
   allSchemes_->setToolTip(tr("A line for every scheme; a marker above the plot where its surface ceases to be a face"));
@@ -131,49 +136,62 @@ void SmoothingPanel::describeControls() {
   range_->setToolTip(
       tr("The values of a (no unit), as from:to:number: 0.1:100:31log is 31 values from 0.1 to 100, each the same "
          "factor larger, 0.5:2:4 four evenly spaced ones; 0.5,1,2 is a list"));
-  range_->setMaximumWidth(120);
+  range_->setFixedWidth(120);
   range_->setPlaceholderText(startRange);
   spacing_->setObjectName("smoothingSpacing");
   spacing_->setProperty("faint", true);
   range_->setProperty(acceptedText, range_->text());
   progress_->setObjectName("smoothingProgress");
   progress_->setToolTip(tr("How much of the sweep is computed"));
-  progress_->setMaximumWidth(120);
+  progress_->setMaximumWidth(84);
   progress_->setRange(0, 100);
   cancel_->setObjectName("smoothingCancel");
   cancel_->setText(tr("Cancel"));
   cancel_->setToolTip(tr("Ends the sweep; what was shown stays"));
   cancel_->setFocusPolicy(Qt::TabFocus);
-  progress_->hide();
-  cancel_->hide();
   figure_->setToolTip(tr("Drag the line, or use the arrow keys, to set a"));
   figure_->setHint(tr("The sweep is being computed."));
+  figure_->setMinimumWidth(leastFigureWidth);
 }
 
 QWidget* SmoothingPanel::controls() {
-  auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = new OverflowRow("smoothingControls", this);
   row->addWidget(measure_);
   row->addWidget(allSchemes_);
   row->addSpacing(10);
-  row->addWidget(new QLabel(tr("a from : to : number"), box));
-  row->addWidget(range_);
-  row->addSpacing(4);
-  row->addWidget(spacing_);
+  row->addLabelled(tr("a from : to : number"), range_, 2);
+  row->addWidget(said());
+  row->addStretch();
+  row->addWidget(new ExportButton(
+                     "smoothingExport", model_,
+                     [this](const ExportOptions& options) { return ExportDrawing(sweepFigureOfAll(), options); },
+                     [this] { return numbers(); }, row),
+                 1);
+  return row;
+}
+
+/// The range in words, and in their place how far the sweep is: nothing beside them moves.
+QWidget* SmoothingPanel::said() {
+  auto* sweep = new QWidget(said_);
+  auto* row = new QHBoxLayout(sweep);
+  row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(progress_);
   row->addWidget(cancel_);
   row->addStretch();
-  row->addWidget(new ExportButton(
-      "smoothingExport", model_,
-      [this](const ExportOptions& options) { return ExportDrawing(sweepFigureOfAll(), options); },
-      [this] { return numbers(); }, box));
-  return box;
+  said_->addWidget(spacing_);
+  said_->addWidget(sweep);
+  said_->setFixedWidth(saidWidth);
+  said_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  return said_;
 }
 
 void SmoothingPanel::connectControls() {
   connect(measure_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { showFigure(); });
-  connect(allSchemes_, &QCheckBox::toggled, this, [this] { refresh(); });
+  connect(allSchemes_, &QCheckBox::toggled, this, [this](bool on) {
+    const int all = thumbnails_->sizeHint().width();
+    thumbnails_->setMaximumWidth(on ? static_cast<int>(fewThumbnails * all) : QWIDGETSIZE_MAX);
+    refresh();
+  });
   connect(range_, &QLineEdit::editingFinished, this, [this] {
     if (readRange()) refresh();
   });
@@ -186,9 +204,7 @@ void SmoothingPanel::connectControls() {
   });
   connect(sweep_, &BackgroundTask::progressed, progress_, &QProgressBar::setValue);
   connect(sweep_, &BackgroundTask::runningChanged, this, [this](bool running) {
-    progress_->setVisible(running);
-    cancel_->setVisible(running);
-    spacing_->setVisible(!running);  // in their place
+    said_->setCurrentIndex(running ? 1 : 0);
     if (!running && records_.empty())
       figure_->setHint(tr("The sweep was cancelled; press Return in the range of a to start it again."));
   });
@@ -331,6 +347,8 @@ void SmoothingPanel::showFigure() {
   Figure shown;
   shown.panels = {all.panels[measure_->currentIndex()]};
   reachPresent(shown.panels.front());
+  shown.panels.front().y.title.clear();  // the list above says it
+  shown.panels.front().y.unit.clear();
   figure_->setFigure(shown);
 }
 

@@ -12,6 +12,7 @@ class QComboBox;
 class QLabel;
 class QLineEdit;
 class QProgressBar;
+class QStackedWidget;
 class QToolButton;
 
 namespace mien {
@@ -39,6 +40,7 @@ class SmoothingPanel : public QWidget {
   };
 
   QWidget* controls();
+  QWidget* said();
   void describeControls();
   void connectControls();
   void refresh();
@@ -62,6 +64,7 @@ class SmoothingPanel : public QWidget {
   QComboBox* measure_;
   QCheckBox* allSchemes_;
   QLineEdit* range_;
+  QStackedWidget* said_;
   QLabel* spacing_;
   QProgressBar* progress_;
   QToolButton* cancel_;

@@ -66,7 +66,8 @@ TexturePanel::TexturePanel(FaceModel* model, FaceView* view, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(8, 4, 8, 6);
   column->setSpacing(4);
-  column->addWidget(controls());
+  controls_ = controls();
+  column->addWidget(controls_);
   pages_->addWidget(emptyState());
   pages_->addWidget(new FlipBox(mesh_, warped_, 3, 2, pages_));
   column->addWidget(pages_, 1);
@@ -240,6 +241,7 @@ bool TexturePanel::save(const QString& fileName) {
 void TexturePanel::showPhotograph() {
   const bool shown = photograph_->isOpen() && photograph_->isOn();
   pages_->setCurrentIndex(photograph_->isOpen() ? 1 : 0);
+  controls_->setVisible(photograph_->isOpen());  // the page without a photograph has its own
   const QSignalBlocker quiet(on_);
   on_->setChecked(photograph_->isOn());
   on_->setEnabled(photograph_->isOpen());

@@ -60,6 +60,7 @@ class TexturePanel : public QWidget {
   WarpMeshView* mesh_;
   PictureLabel* warped_;
   QStackedWidget* pages_;
+  QWidget* controls_ = nullptr;
   QLabel* status_;
   QToolButton *open_, *painted_, *openMesh_, *undo_, *reset_, *save_, *cancel_;
   QCheckBox *on_, *fine_, *mirror_;

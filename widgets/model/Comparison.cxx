@@ -32,7 +32,7 @@ constexpr const char* kindNames[] = {"none", "state", "scheme", "mesh"};
 
 /// First, so that they stay where words have no room.
 QString numbersText(const DistanceSummary& summary) {
-  return Comparison::tr("RMS %1, 95 % %2, max %3 mm")
+  return Comparison::tr("RMS %1, 95 % \u2264 %2, max %3 mm")
       .arg(summary.rms, 0, 'f', 2)
       .arg(summary.percentile95, 0, 'f', 2)
       .arg(summary.maximum, 0, 'f', 2);

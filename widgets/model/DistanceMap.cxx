@@ -117,9 +117,9 @@ void DistanceMap::take(const Measured& measured) {
     return;
   }
   map_ = measured.map;
-  summary_ = tr("%1%2: RMS %3 mm, median %4 mm, 95 % below %5 mm, largest %6 mm")
+  summary_ = tr("%1%2: RMS %3 mm, median %4 mm, 95th percentile %5 mm, largest %6 mm")
                  .arg(subject_ == Subject::Face ? tr("Shown face to scan") : tr("Scan to shown face"))
-                 .arg(frontal_ ? tr(", z > 50 mm") : QString())
+                 .arg(frontal_ ? tr(", front only") : QString())
                  .arg(measured.summary.rms, 0, 'f', 2)
                  .arg(measured.summary.median, 0, 'f', 2)
                  .arg(measured.summary.percentile95, 0, 'f', 2)

@@ -32,7 +32,9 @@ class DistanceMap : public QObject {
     return automatic_;
   }  ///< round, 95 % lie below; grows, and begins anew with setSubject()
   Subject subject() const { return subject_; }
-  QString summary() const { return summary_; }  ///< RMS, median, 95 % and largest, in words; empty without a map
+  QString summary() const {
+    return summary_;
+  }  ///< RMS, median, 95th percentile and largest, in words; empty without a map
 
  signals:
   void changed();

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QPixmap>
 #include <QToolButton>
+#include <algorithm>
 
 namespace mien {
 
@@ -29,7 +30,6 @@ void ThumbnailStrip::setPictures(const std::vector<Picture>& pictures) {
   pictures_ = pictures;
   for (size_t i = 0; i < buttons_.size(); ++i) {
     const bool there = i < pictures.size(), good = there && !pictures[i].image.isNull();
-    buttons_[i]->setVisible(there);
     if (!there) continue;
     const QString a = QString::number(pictures[i].a, 'g', 3);
     buttons_[i]->setEnabled(good);
@@ -37,6 +37,34 @@ void ThumbnailStrip::setPictures(const std::vector<Picture>& pictures) {
     buttons_[i]->setText(good ? tr("a = %1").arg(a) : tr("a = %1: none").arg(a));
     buttons_[i]->setToolTip(good ? tr("The face with a = %1; click to use it").arg(a) : pictures[i].reason);
   }
+  showSome();
+}
+
+QSize ThumbnailStrip::sizeHint() const {
+  const QSize one = buttons_.front()->sizeHint();
+  return {count * one.width() + (count - 1) * layout()->spacing(), one.height()};
+}
+
+QSize ThumbnailStrip::minimumSizeHint() const {
+  const QSize one = buttons_.front()->sizeHint();
+  return {2 * one.width() + layout()->spacing(), one.height()};
+}
+
+void ThumbnailStrip::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  showSome();
+}
+
+/// As many as there is room for, spread from the first to the last.
+void ThumbnailStrip::showSome() {
+  const int there = pictures_.empty() ? count : static_cast<int>(pictures_.size());
+  int widest = 1;
+  for (const QToolButton* button : buttons_) widest = std::max(widest, button->sizeHint().width());
+  const int room = (width() + layout()->spacing()) / (widest + layout()->spacing());
+  const int shown = std::clamp(room, std::min(2, there), there);
+  std::vector<bool> isShown(buttons_.size());
+  for (int i = 0; i < shown; ++i) isShown[shown > 1 ? i * (there - 1) / (shown - 1) : 0] = true;
+  for (size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->setVisible(isShown[i]);
 }
 
 }  // namespace mien

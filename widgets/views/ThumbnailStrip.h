@@ -8,7 +8,7 @@ class QToolButton;
 
 namespace mien {
 
-/// Small pictures of the face at a few values of a; choosing one sets a.
+/// Small pictures of the face at a few values of a, fewer where there is no room; choosing one sets a.
 class ThumbnailStrip : public QWidget {
   Q_OBJECT
  public:
@@ -25,10 +25,18 @@ class ThumbnailStrip : public QWidget {
 
   void setPictures(const std::vector<Picture>& pictures);
 
+  QSize sizeHint() const override;         ///< of all
+  QSize minimumSizeHint() const override;  ///< of the first and the last
+
  signals:
   void chosen(double a);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void showSome();
+
   std::vector<QToolButton*> buttons_;
   std::vector<Picture> pictures_;
 };

@@ -11,9 +11,6 @@ constexpr QSize most(540, 170);  // pixels that a dock may ask for
 }  // namespace
 
 DockScroll::DockScroll(QWidget* panel) {
-  setFrameShape(QFrame::NoFrame);
-  setWidgetResizable(true);
-  setFocusPolicy(Qt::NoFocus);
   setWidget(panel);
   panel->setAutoFillBackground(false);
   viewport()->setAutoFillBackground(false);

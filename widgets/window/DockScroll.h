@@ -1,11 +1,11 @@
 #pragma once
 
-#include <QScrollArea>
+#include "RowScroll.h"
 
 namespace mien {
 
 /// Lets a dock be smaller than what it holds, down to a size in which that can still be used; then it scrolls.
-class DockScroll : public QScrollArea {
+class DockScroll : public RowScroll {
   Q_OBJECT
  public:
   explicit DockScroll(QWidget* panel);

@@ -106,7 +106,9 @@ void LaboratoryDocks::addPlotButton(TimelinePanel* timeline) {
 /// Whatever workspace is open, a scan over the face can be seen to be one, and taken away.
 void LaboratoryDocks::addScanSwitch(ViewFrame* frame) {
   QToolButton* shown =
-      frame->addToggle("faceScan", tr("Scan"), tr("The scan over the face; File > Close scan ends it"), true);
+      frame->addLastingButton("faceScan", tr("Scan"), tr("The scan over the face; File > Close scan ends it"));
+  shown->setCheckable(true);
+  shown->setChecked(true);
   shown->setProperty(notInSession, true);  // the dock's own tick is
   shown->hide();
   auto* panel = window_->findChild<ScanPanel*>();

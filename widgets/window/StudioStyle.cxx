@@ -11,6 +11,7 @@ namespace mien {
 namespace {
 
 constexpr double cornerRadius = 3.5, arrowHalf = 3.5, arrowDepth = 3.5, arrowWidth = 1.5;  // pixels
+constexpr int iconGap = 4;                                                                 // pixels, of Fusion
 constexpr int fusionDarker = 140;                                                          // per cent
 constexpr double ringWidth = 2.0;                                                          // pixels, with the focus
 
@@ -69,6 +70,18 @@ void StudioStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
   painter->setClipRect(number->rect.adjusted(0, 1, 0, 0), Qt::IntersectClip);  // Fusion leaves a dot above the corner
   QProxyStyle::drawComplexControl(control, &edged, painter, widget);
   painter->restore();
+}
+
+/// The chosen entry of a list ends in dots where it has no room; Fusion cuts through a letter.
+void StudioStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                              const QWidget* widget) const {
+  const auto* list = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+  if (element != CE_ComboBoxLabel || !list) return QProxyStyle::drawControl(element, option, painter, widget);
+  QStyleOptionComboBox shortened = *list;
+  const int icon = list->currentIcon.isNull() ? 0 : list->iconSize.width() + iconGap;
+  const int room = subControlRect(CC_ComboBox, list, SC_ComboBoxEditField, widget).width() - 2 - icon;
+  shortened.currentText = list->fontMetrics.elidedText(list->currentText, Qt::ElideRight, room);
+  QProxyStyle::drawControl(element, &shortened, painter, widget);
 }
 
 void StudioStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,

@@ -27,11 +27,12 @@ constexpr int version = 2;  // of the docks; one more when their names change
 constexpr const char* currentKey = "window/workspace";
 constexpr int leftWidth = 350, leastBelow = 320, leastOfRows = 368;  // pixels
 constexpr double shareBelow = 0.4;                                   // of the window, for docks with a picture
-constexpr double mostBelow = 0.42;             // of a low window, for the face is to be seen as well
+constexpr double mostBelow = 0.44;             // of a low window, for the face is to be seen as well
 constexpr double mostOfRows = 0.44;            // of a low window, for docks with many rows
 constexpr int menuHeight = 26, separator = 6;  // pixels, of the theme
 constexpr int leastHeight = 150;               // pixels of the dock that takes what is left
 constexpr int high = 1000, wide = 900;         // pixels of a window with room for the FAPs; of one dock of several
+constexpr int low = 760;                       // pixels of a window in which the FAPs need the room below them
 constexpr int narrow = 1200;                   // pixels of a window in which a dock needs all of the width
 
 constexpr const char* growing = "fapDock";
@@ -47,7 +48,7 @@ QByteArray keyOf(int workspace) {
 struct Workspaces::Workspace {
   const char *title, *mnemonic, *purpose;
   QStringList left, below;
-  bool hasRows;  // below: a table or a report
+  bool hasRows;  // below: a table
 };
 
 const std::array<Workspaces::Workspace, Workspaces::count>& Workspaces::all() {
@@ -74,7 +75,7 @@ const std::array<Workspaces::Workspace, Workspaces::count>& Workspaces::all() {
                                                             QT_TR_NOOP("Curves of a scan, and textures"),
                                                             {"surfaceDock", "expressionDock"},
                                                             {"curvesDock", "textureDock"},
-                                                            true}}};
+                                                            false}}};
   return workspaces;
 }
 
@@ -121,6 +122,7 @@ void Workspaces::addTo(QMenu* menu) {
 }
 
 void Workspaces::choose(int workspace) {
+  isAsAtFirst_ = false;
   if (workspace != current_ && workspace >= 0) {
     kept_[current_] = window_->saveState(version);
     show(workspace);
@@ -166,11 +168,13 @@ void Workspaces::arrange(int workspace) {
   window_->resize(size);  // while docks were on their way it may have grown
 }
 
-/// One below the other; in a narrow window the FAPs, which need height, in a tab. @return those that are seen
+/// One below the other; in a narrow window the FAPs, which need height, in a tab, and in a low one what would leave
+/// them too little of it. @return those that are seen
 QList<QDockWidget*> Workspaces::stack(const QList<QDockWidget*>& left, bool isNarrow) {
   QList<QDockWidget*> seen = left.mid(0, 1);
   for (QDockWidget* dock : left.mid(1)) {
-    const bool isBehind = isNarrow && dock->objectName() == growing;
+    const bool isLow = window_->height() < low && seen.back()->objectName() == growing;
+    const bool isBehind = isLow || (isNarrow && dock->objectName() == growing);
     isBehind ? window_->tabifyDockWidget(seen.back(), dock) : window_->splitDockWidget(seen.back(), dock, Qt::Vertical);
     if (isBehind)
       seen.back()->raise();
@@ -194,9 +198,9 @@ QList<QDockWidget*> Workspaces::placeBelow(const QList<QDockWidget*>& below) {
 }
 
 void Workspaces::giveSizes(const QList<QDockWidget*>& left, const QList<QDockWidget*>& below) {
-  const bool rows = all()[current_].hasRows;
-  const double wanted = std::max<double>(rows ? leastOfRows : leastBelow, shareBelow * window_->height());
-  const int height = static_cast<int>(std::min(wanted, (rows ? mostOfRows : mostBelow) * window_->height()));
+  const double wanted =
+      std::max<double>(all()[current_].hasRows ? leastOfRows : leastBelow, shareBelow * window_->height());
+  const int height = static_cast<int>(std::min(wanted, mostBelow * window_->height()));
   const bool isFull = window_->corner(Qt::BottomLeftCorner) == Qt::LeftDockWidgetArea;
   giveHeights(left, window_->height() - menuHeight - (isFull || below.isEmpty() ? 0 : height + separator));
   window_->resizeDocks(left, QList<int>::fromVector(QVector<int>(left.size(), leftWidth)), Qt::Horizontal);
@@ -206,6 +210,7 @@ void Workspaces::giveSizes(const QList<QDockWidget*>& left, const QList<QDockWid
 }
 
 bool Workspaces::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Show && std::exchange(isAsAtFirst_, false)) arrange(current_);  // its size is known now
   if (event->type() == QEvent::Resize) QTimer::singleShot(0, this, &Workspaces::closeGaps);
   return QObject::eventFilter(watched, event);
 }
@@ -269,6 +274,7 @@ nlohmann::json Workspaces::sessionState() const {
 }
 
 void Workspaces::restoreSession(const nlohmann::json& state) {
+  isAsAtFirst_ = false;
   for (int i = 0; i < count; ++i)
     if (state == all()[i].title) current_ = i;
   follow();
@@ -282,6 +288,7 @@ void Workspaces::save() const {
 void Workspaces::restore() {
   for (int i = 0; i < count; ++i) kept_[i] = Remembered::value(keyOf(i), QByteArray()).toByteArray();
   show(std::clamp(Remembered::value(currentKey, 0).toInt(), 0, count - 1));
+  isAsAtFirst_ = kept_[current_].isEmpty();
   follow();
 }
 

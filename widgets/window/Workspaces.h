@@ -64,7 +64,8 @@ class Workspaces : public QObject, public SessionPart {
   QTabBar* bar_;
   std::array<QAction*, count> actions_{};
   std::array<QByteArray, count> kept_;
-  QByteArray first_;  ///< all docks where they belong
+  QByteArray first_;          ///< all docks where they belong
+  bool isAsAtFirst_ = false;  ///< until the window is shown or somebody has arranged it
   int current_ = 0;
 };
 

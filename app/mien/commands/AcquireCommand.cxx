@@ -79,6 +79,8 @@ json jsonOf(const AcquireResult& result) {
                  {"degenerate_triangles", r.degenerateTriangles},
                  {"parts", r.parts},
                  {"dropped_parts", r.droppedParts},
+                 {"face_part", r.facePart + 1},
+                 {"winds_inwards", r.windsInwards},
                  {"holes", r.holes},
                  {"landmarks", r.landmarksGiven ? "given" : "fitted"},
                  {"completed_landmarks", r.completedLandmarks}};
@@ -100,6 +102,14 @@ void remark(const AcquireResult& result) {
   if (r.moved)
     std::cerr << "mien: " << result.scan
               << ": the head was moved onto the generic face; --pose keep leaves it where it is\n";
+  if (r.windsInwards)
+    std::cerr
+        << "mien: " << result.scan
+        << ": the faces wind inwards: the scan may be mirrored (left-handed), its left being its right; where it is "
+           "not, all is well\n";
+  if (r.facePart > 0 && r.droppedParts > 0)
+    std::cerr << "mien: " << result.scan << ": the face lies on part " << r.facePart + 1 << " of " << r.parts
+              << " by area; the larger ones were left out (--all-parts keeps them)\n";
   if (r.landmarkDepth > doubtfulDepth)
     std::cerr << "mien: " << result.scan << ": the landmarks lie " << roundedText(r.landmarkDepth)
               << " mm (median) off the scan; are they of this head?\n";

@@ -22,7 +22,7 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   const std::string& name() const { return name_; }
-  const std::string& temporaryName() const { return temporaryName_; }  ///< ends as the name does
+  const std::string& temporaryName() const { return temporaryName_; }  ///< ends as the name does, in small letters
 
   /// Throws a FileFailure when nothing was written or the file cannot be renamed.
   void commit();

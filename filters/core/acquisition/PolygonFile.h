@@ -15,17 +15,26 @@ class PolygonFile {
   bool openOff(std::string_view text);
 
   std::int64_t vertexCount() const { return vertices_; }
-  std::int64_t faceCount() const { return faces_; }
+  std::int64_t faceCount() const { return faces_; }  ///< or of strips
+  bool hasStrips() const { return facesAre_ == "tristrips"; }
 
-  /// All vertices must be read before the first face.
+  /// All vertices must be read before the first face, whatever their order in the file.
   bool readVertex(double (&place)[3]);
+
+  /// Corners of the next face, or strip of triangles; -1 then begins another.
   bool readFace(std::vector<std::int64_t>& corners);
 
-  /// "line 12" of what was read last, "vertex 7" in a binary file.
-  std::string place(const std::string& what, std::int64_t number) const;
+  /// Why the file could not be opened, or went no further: "has 'x' where a number belongs".
+  const std::string& fault() const { return fault_; }
 
-  /// "line 12: " of what could not be read, nothing in a binary file.
-  std::string lineHere() const;
+  /// Where it went no further, from 1; 0 in a binary file, behind its header.
+  std::int64_t lineHere() const { return inHeader_ || encoding_ == Encoding::Text ? line_ : 0; }
+
+  /// Where what was read last begins; 0 in a binary file.
+  std::int64_t lineOfRow() const { return encoding_ == Encoding::Text ? rowLine_ : 0; }
+
+  /// The last word of a text that was given as a place but is no finite number.
+  std::string_view infinitePlace() const { return infinitePlace_; }
 
  private:
   enum class Encoding { Text, LittleEndian, BigEndian };
@@ -42,12 +51,20 @@ class PolygonFile {
     std::string name;
     std::int64_t count = 0;
     std::vector<Property> properties;
+    std::int64_t line = 1;
   };
 
   static Type typeOf(std::string_view name);
+  bool refuse(const std::string& why);
+  bool refuseElement(const std::string& name, const std::string& why);
   bool readHeader();
+  bool readProperty(const std::vector<std::string_view>& words);
+  bool findElements();
+  const Element* element(const std::string& name) const;
+  bool skipCommentsAndBlanks();
+  bool endsLine() const;
   bool readHeaderLine(const std::vector<std::string_view>& words);
-  bool skipTo(const char* element);
+  bool skipTo(const std::string& name);
   bool readRow(const Element& element, double (*place)[3], std::vector<std::int64_t>* corners);
   bool readList(const Property& property, std::vector<std::int64_t>* corners);
   bool next(const Type& type, double& value);
@@ -57,6 +74,11 @@ class PolygonFile {
   std::string_view text_;
   std::size_t at_ = 0;
   std::int64_t line_ = 1, rowLine_ = 1, vertices_ = 0, faces_ = 0, rowsRead_ = 0;
+  std::size_t bodyAt_ = 0;
+  std::int64_t bodyLine_ = 1;
+  std::string facesAre_ = "face", fault_;
+  std::string_view infiniteWord_, infinitePlace_;
+  bool inHeader_ = true;
   Encoding encoding_ = Encoding::Text;
   bool restOfLine_ = false;  ///< behind the place of a vertex stands more that is passed over
   std::vector<Element> elements_;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "FaceCurves.h"
+#include "FaceSearch.h"
 #include "FaceTemplate.h"
 #include "LandmarkTable.h"
 #include "LengthUnit.h"
@@ -34,10 +35,12 @@ struct ScanReport {
   std::string unit;  ///< "mm", "cm", "m", "inch", or "" for a scale of one's own
   double millimetres = 1.0;
   bool unitRecognised = false;
-  Similarity scanToFace;  ///< from the file's coordinates to those of the curves
-  bool moved = false;     ///< whether the scan was turned and shifted
-  double turned = 0.0;    ///< angle between the scan and the reference face, radians
-  double eyes = 0.0;      ///< distance of the outer eye corners
+  Similarity scanToFace;      ///< from the file's coordinates to those of the curves
+  bool moved = false;         ///< whether the scan was turned and shifted
+  double turned = 0.0;        ///< angle between the scan and the reference face, radians
+  double eyes = 0.0;          ///< distance of the outer eye corners
+  int facePart = 0;           ///< which part of the scan, counted by area, is the skin with the face
+  bool windsInwards = false;  ///< the faces of the scan show their back: it is mirrored, or only wound so
   int mergedVertices = 0, degenerateTriangles = 0, parts = 0, droppedParts = 0, holes = 0, triangles = 0;
   bool landmarksGiven = false;
   int completedLandmarks = 0;
@@ -59,16 +62,11 @@ struct AcquiredScan {
   ScanReport report;
 };
 
-/// The unit of a scan of which no landmarks are known, as acquireScan recognises it: that in which its largest part is
-/// as large as a head may be, and of several the one in which the reference face fits best.
-/// @return nothing, or one sentence that says why it cannot be told; `fitting` are then those that the size allows
-std::string recogniseScanUnit(const CleanMesh& scan, const FaceTemplate& reference, std::vector<LengthUnit>& fitting,
-                              const Progress& progress = {});
-
 /// Measures a scan in any unit and pose: recognises the unit, places the landmarks that are not given, brings the head
 /// into the frame of the reference face and measures the curves (acquireFace).
 ///
-/// Without landmarks the reference face is laid over the largest part of the scan (fitHead, registerFace).
+/// Without landmarks the reference face is laid over the largest part of the scan, or the next ones where that is no
+/// head (findFace, registerFace).
 /// Given landmarks must look like a face and lie on the scan.
 /// @param given  which of `landmarks` (in the scan's unit and frame) are given; none: all are fitted
 /// @return nothing, or one sentence that says what is wrong and what to do

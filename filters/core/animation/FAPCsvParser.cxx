@@ -9,6 +9,7 @@
 #include "FAPFields.h"
 #include "FAPParser.h"
 #include "FrameTimes.h"
+#include "MissingFrames.h"
 #include "MotionBasis.h"
 #include "NumberText.h"
 #include "RowNumbers.h"
@@ -42,8 +43,11 @@ class FAPCsvTextParser {
   std::string bindColumns();
   std::string bindColumn(std::size_t column, const FAPColumn& fap);
   std::string readRow();
+  std::string readComments();
+  std::optional<FAPParseError> giveTimes();
+  std::optional<FAPWarning> describeOtherTimes() const;
   std::optional<FAPParseError> error(const std::string& fault) const {
-    return FAPParseError{std::max(reader_.line(), 1), fault};
+    return FAPParseError{std::max(faultLine_ > 0 ? faultLine_ : reader_.line(), 1), fault};
   }
 
   CommaReader reader_;
@@ -51,6 +55,7 @@ class FAPCsvTextParser {
   std::array<std::optional<std::size_t>, FAPFrame::count + 1 + highLevelFields> seen_;  ///< the column of each
   std::optional<std::size_t> frameColumn_, timeColumn_;
   FrameTimes times_;
+  int rateLine_ = 0, faultLine_ = 0;  ///< of the comment with the rate, and of one at fault
   bool hasRate_ = false, warnedOfRange_ = false;
 };
 
@@ -124,8 +129,8 @@ std::string FAPCsvTextParser::readRow() {
     const std::optional<double> time = numberIn(reader_, *timeColumn_, fault);
     if (!time && fault.empty()) fault = reader_.columnName(*timeColumn_) + " is empty; give a time in s";
     times_.seconds.push_back(time.value_or(0.0));
-    times_.lines.push_back(reader_.line());
   }
+  times_.lines.push_back(reader_.line());
   for (const auto& [column, fap] : faps_) {
     if (!fault.empty()) return fault;
     const std::optional<double> value = numberIn(reader_, column, fault);
@@ -143,19 +148,52 @@ std::string FAPCsvTextParser::readRow() {
   return fault;
 }
 
+std::string FAPCsvTextParser::readComments() {
+  for (std::size_t i = 0; i < reader_.comments().size(); ++i) {
+    const bool hadRate = hasRate_;
+    const std::string fault = readComment(reader_.comments()[i]);
+    if (hasRate_ && !hadRate) rateLine_ = reader_.commentLine(i);
+    if (fault.empty()) continue;
+    faultLine_ = reader_.commentLine(i);
+    return fault;
+  }
+  return {};
+}
+
+/// The first time that is not where the rate of the comment puts its frame.
+std::optional<FAPWarning> FAPCsvTextParser::describeOtherTimes() const {
+  constexpr double nearest = 0.5;  // frames; many times are rounded
+  for (std::size_t i = 1; i < times_.seconds.size(); ++i) {
+    const double time = times_.seconds[i] - times_.seconds[0];
+    if (std::abs(time * sequence.framesPerSecond - static_cast<double>(i)) <= nearest) continue;
+    return FAPWarning{times_.lines[i], reader_.columnName(*timeColumn_) + " is " + roundedText(time) +
+                                           " s behind the first, but by fps=" + numberText(sequence.framesPerSecond) +
+                                           " this is " + roundedText(sequence.timeOfFrame(i)) +
+                                           " s; fps counts, so leave it out of line " + std::to_string(rateLine_) +
+                                           " if the times are right"};
+  }
+  return std::nullopt;
+}
+
+std::optional<FAPParseError> FAPCsvTextParser::giveTimes() {
+  sequence.rateIsAssumed = !hasRate_;
+  times_.hasNumbers = frameColumn_.has_value();
+  if (!hasRate_ && timeColumn_) return times_.place(sequence);
+  auto warning = hasRate_ && timeColumn_ ? describeOtherTimes() : std::nullopt;
+  if (!warning && frameColumn_) warning = describeMissingFrames(sequence, times_.lines);
+  if (warning) sequence.warnings.push_back(*warning);
+  return std::nullopt;
+}
+
 std::optional<FAPParseError> FAPCsvTextParser::parse() {
   std::string fault = reader_.readHeader();
-  for (const std::string_view comment : reader_.comments())
-    if (fault.empty()) fault = readComment(comment);
+  if (fault.empty()) fault = readComments();
   if (fault.empty()) fault = bindColumns();
   while (fault.empty() && reader_.readRow()) fault = readRow();
   if (fault.empty()) fault = reader_.fault();
   if (fault.empty() && sequence.frames.empty()) fault = "there are no frames; give a row for each below the header";
   if (!fault.empty()) return error(fault);
-  sequence.rateIsAssumed = !hasRate_;
-  times_.hasNumbers = frameColumn_.has_value();
-  if (!hasRate_ && timeColumn_)
-    if (const auto misplaced = times_.place(sequence)) return misplaced;
+  if (const auto misplaced = giveTimes()) return misplaced;
   if (sequence.rateIsAssumed) sequence.warnings.push_back({1, describeAssumedRate(timeColumn_.has_value())});
   return std::nullopt;
 }

@@ -1,7 +1,10 @@
 #include "FAPCsvWriter.h"
 
+#include <optional>
+
 #include "FAPFields.h"
 #include "FAPWriter.h"
+#include "MissingFrames.h"
 #include "NumberText.h"
 #include "TimeCode.h"
 
@@ -13,8 +16,8 @@ bool isWritten(const FAPMask& used, int field) {
   return used[field < visemeFields ? 0 : 1];
 }
 
-void appendHeader(const FAPMask& used, std::string& text) {
-  text += "frame,time";
+void appendHeader(const FAPMask& used, bool hasTimes, std::string& text) {
+  text += hasTimes ? "frame,time" : "frame";
   const FAPFrame none;
   int field = 0;
   visitHighLevelFields(none, [&](const char* name, double) {
@@ -30,9 +33,10 @@ void appendCell(bool isSet, double value, std::string& text) {
   if (isSet) appendNumber(text, value);
 }
 
-void appendRow(const FAPFrame& frame, const FAPMask& mask, const FAPMask& used, double time, std::string& text) {
+void appendRow(const FAPFrame& frame, const FAPMask& mask, const FAPMask& used, std::optional<double> time,
+               std::string& text) {
   appendNumber(text, frame.number);
-  appendCell(true, time, text);
+  if (time) appendCell(true, *time, text);
   int field = 0;
   visitHighLevelFields(frame, [&](const char*, double value) {
     const int fap = field++ < visemeFields ? 0 : 1;
@@ -55,9 +59,12 @@ std::string writeFAPCsv(const FAPSequence& sequence, std::string& text) {
   if (!sequence.version.empty()) written += "; version=" + sequence.version;
   if (sequence.startTime > 0.0) written += "; start=" + timeCodeText(sequence.startTime);
   written += "; name=" + writtenFAPName(sequence.name) + "\n";
-  appendHeader(used, written);
-  for (std::size_t index = 0; index < sequence.frames.size(); ++index)
-    appendRow(sequence.frames[index], sequence.mask(index), used, sequence.timeOfFrame(index), written);
+  const bool hasTimes = !framesAreMissing(sequence);  // else numbers and times would contradict each other
+  appendHeader(used, hasTimes, written);
+  for (std::size_t index = 0; index < sequence.frames.size(); ++index) {
+    const auto time = hasTimes ? std::optional(sequence.timeOfFrame(index)) : std::nullopt;
+    appendRow(sequence.frames[index], sequence.mask(index), used, time, written);
+  }
   text = std::move(written);
   return {};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "MotionBasis.h"
 #include "NumberText.h"
 
 namespace mien {
@@ -53,7 +54,7 @@ std::string countFault(std::size_t found, std::size_t expected) {
 
 }  // namespace
 
-void FAPFrameParser::warnOnce(Quirk quirk, int line, const char* message, FAPSequence& sequence) {
+void FAPFrameParser::warnOnce(Quirk quirk, int line, const std::string& message, FAPSequence& sequence) {
   if (!warned_[quirk]) sequence.warnings.push_back({line, message});
   warned_.set(quirk);
 }
@@ -94,13 +95,25 @@ std::string FAPFrameParser::readValues(const std::vector<std::string_view>& entr
   if (readHighLevel(entries.size() != full, frame))
     warnOnce(OutOfRange, line, "FAP 1 or 2 has a selection, weight or flag out of its range; it was limited", sequence);
   for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
-    if (mask_[fap - 1]) frame.setValue(fap, take());
+    if (mask_[fap - 1]) frame.setValue(fap, takeValue(fap, line, sequence));
   if (entries.size() != full)
     warnOnce(SingleValues, line, "FAP 1 and 2 have one value each; it is taken as a selection at full weight",
              sequence);
   sequence.frames.push_back(frame);
   sequence.masks.emplace_back(mask_.to_string().substr(longMask - FAPFrame::count));
   return {};
+}
+
+/// The animator would limit it unseen, and a table of FAPs could not hold it.
+double FAPFrameParser::takeValue(int fap, int line, FAPSequence& sequence) {
+  constexpr double largest = MotionBasis::largestValue;
+  const double value = take();
+  if (std::abs(value) > largest)
+    warnOnce(
+        Absurd, line,
+        "FAP " + std::to_string(fap) + " is " + numberText(value) + "; FAP values lie within +-1e6, it was limited",
+        sequence);
+  return std::clamp(value, -largest, largest);
 }
 
 /// @return whether something was out of range

@@ -24,11 +24,12 @@ class FAPFrameParser {
 
  private:
   static constexpr std::size_t longMask = FAPFrame::count + 1;  ///< some writers add an entry without meaning
-  enum Quirk { LongMask, SingleValues, OutOfRange, quirkCount };
+  enum Quirk { LongMask, SingleValues, OutOfRange, Absurd, quirkCount };
 
   std::string parseNumbers(const std::vector<std::string_view>& entries);
-  void warnOnce(Quirk quirk, int line, const char* message, FAPSequence& sequence);
+  void warnOnce(Quirk quirk, int line, const std::string& message, FAPSequence& sequence);
   bool readHighLevel(bool singleValues, FAPFrame& frame);
+  double takeValue(int fap, int line, FAPSequence& sequence);
   double take() { return numbers_[next_++]; }
 
   std::bitset<longMask> mask_;

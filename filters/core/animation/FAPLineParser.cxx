@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "FAPParser.h"
+#include "MissingFrames.h"
 #include "NumberText.h"
 
 namespace mien {
@@ -18,6 +19,16 @@ using Fault = std::string;
 bool looksLikeAMask(const std::vector<std::string_view>& entries) {
   const auto isDigit = [](std::string_view entry) { return entry.size() == 1 && entry[0] >= '0' && entry[0] <= '9'; };
   return entries.size() >= fewestEntriesLikeAMask && std::all_of(entries.begin(), entries.end(), isDigit);
+}
+
+/// The name in a header may hold a #, so a comment begins there only behind the two numbers that end it.
+void leaveOutComment(std::vector<std::string_view>& entries) {
+  const auto endsAt = [&](std::size_t count) {
+    return count == 1 || (parseNumber(entries[count - 1]) && parseNumber(entries[count - 2]));
+  };
+  if (endsAt(entries.size())) return;
+  for (std::size_t i = 1; i < entries.size(); ++i)
+    if (entries[i].front() == '#' && endsAt(i)) return entries.resize(i);
 }
 
 Fault readVersion(std::string_view entry) {
@@ -55,6 +66,7 @@ std::optional<FAPParseError> FAPLineParser::finish() {
   if (!fault.empty()) return FAPParseError{std::max(line_, 1), fault};
   if (hasHeader_) checkCount();
   if (!rateIsKnown_) takeRateFromFrameNumbers();
+  if (const auto missing = describeMissingFrames(sequence, frameLines_)) sequence.warnings.push_back(*missing);
   const auto earlier = [](const FAPWarning& a, const FAPWarning& b) { return a.line < b.line; };
   std::stable_sort(sequence.warnings.begin(), sequence.warnings.end(), earlier);
   return std::nullopt;
@@ -64,6 +76,7 @@ std::vector<FAPFrame> FAPLineParser::takeFrames() {
   std::vector<FAPFrame> taken;
   taken.swap(sequence.frames);
   sequence.masks.clear();
+  frameLines_.clear();
   return taken;
 }
 
@@ -74,7 +87,7 @@ FAPLineParser::Fault FAPLineParser::read(std::string_view line) {
   if (line.size() > longestFAPLine)
     return "the line has " + std::to_string(line.size()) + " bytes; at most " + std::to_string(longestFAPLine) +
            " are read";
-  splitAtBlanks(line, entries_);
+  splitAtBlanks(expected_ == Expected::Header ? line : line.substr(0, line.find('#')), entries_);
   if (expected_ == Expected::Header) return readFirstLine();
   return expected_ == Expected::Mask ? readMask() : readValues();
 }
@@ -82,6 +95,7 @@ FAPLineParser::Fault FAPLineParser::read(std::string_view line) {
 FAPLineParser::Fault FAPLineParser::readFirstLine() {
   headerLine_ = line_;
   expected_ = Expected::Mask;
+  leaveOutComment(entries_);
   if (looksLikeAMask(entries_)) return readMask();
   if (entries_.size() == 1 && parseWholeNumber(entries_[0])) return {};
   return readHeader();
@@ -95,6 +109,7 @@ FAPLineParser::Fault FAPLineParser::readHeader() {
   Fault fault = readVersion(entries_.front());
   if (fault.empty()) fault = readRate(entries_[entries_.size() - 2], sequence.framesPerSecond);
   sequence.declaredFrameCount = parseWholeNumber(count);
+  declaredCount_ = count;
   if (fault.empty() && !sequence.declaredFrameCount)
     fault = "the frame count is " + inQuotes(count) + "; give a whole number";
   sequence.version = entries_.front();
@@ -117,6 +132,7 @@ FAPLineParser::Fault FAPLineParser::readValues() {
 
 void FAPLineParser::noteFrameNumber(double number) {
   ++frameCount_;
+  frameLines_.push_back(line_);
   if (frameCount_ == 1) firstNumber_ = number;
   if (frameCount_ > 1 && numbersIncrease_ && !(number > lastNumber_)) {
     numbersIncrease_ = false;
@@ -139,7 +155,7 @@ FAPLineParser::Fault FAPLineParser::describeEnd() {
 void FAPLineParser::checkCount() {
   const std::int64_t declared = *sequence.declaredFrameCount;
   if (declared != frameCount_)
-    sequence.warnings.push_back({headerLine_, "the header says " + std::to_string(declared) + " frames, there are " +
+    sequence.warnings.push_back({headerLine_, "the header says " + declaredCount_ + " frames, there are " +
                                                   std::to_string(frameCount_) + "; all of these are used"});
 }
 

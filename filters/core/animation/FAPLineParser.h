@@ -51,6 +51,8 @@ class FAPLineParser {
   Expected expected_ = Expected::Header;
   std::vector<std::string_view> entries_;
   FAPFrameParser frames_;
+  std::string declaredCount_;    ///< as written
+  std::vector<int> frameLines_;  ///< of the frames that were not taken yet
   int line_ = 0, headerLine_ = 0, maskLine_ = 0;
   std::int64_t frameCount_ = 0;
   double firstNumber_ = 0.0, lastNumber_ = 0.0;

@@ -51,7 +51,9 @@ std::string CommaReader::readHeader() {
                  " are read";
       return fault_;
     }
-    if (comments_.size() < mostComments) comments_.push_back(bareCell(bare.substr(1)));
+    if (comments_.size() == mostComments) continue;
+    comments_.push_back(bareCell(bare.substr(1)));
+    commentLines_.push_back(lines_.number());
   }
   return fault_.empty() ? "there is no header; the first line names the columns" : fault_;
 }

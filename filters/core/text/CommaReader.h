@@ -26,6 +26,7 @@ class CommaReader {
   bool readRow();
 
   const std::vector<std::string_view>& comments() const { return comments_; }  ///< without # and blanks around
+  int commentLine(std::size_t comment) const { return commentLines_[comment]; }
   const std::vector<std::string_view>& header() const { return header_; }
   const std::vector<std::string_view>& cells() const { return cells_; }
   const std::string& fault() const { return fault_; }  ///< why readRow() stopped before the end; else empty
@@ -40,6 +41,7 @@ class CommaReader {
 
   LineCutter lines_;
   std::vector<std::string_view> comments_, header_, cells_;
+  std::vector<int> commentLines_;
   std::string fault_;
   char separator_ = ',';
 };
