@@ -4,11 +4,11 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <set>
 #include <system_error>
 #include <utility>
 
 #include "AnimationData.h"
+#include "AnimationRemarks.h"
 #include "BoundaryCurveData.h"
 #include "FAPTableData.h"
 #include "FaceAnimator.h"
@@ -63,14 +63,8 @@ struct vtkFAPAnimationFilter::Internals {
   std::pair<long long, unsigned long long> TableState;  // of the file bound: modified, size
   vtkPolyData* BoundInput = nullptr;                    // compared with, never used
   vtkMTimeType BoundTime = 0;
-  std::set<int> Ignored;
-  double LargestPushed = 0.0, LargestClamped = 0.0;
+  mien::AnimationRemarks Remarks;
   int Load = 0;  // of the animation file that these belong to
-
-  void forgetResults() {
-    Ignored.clear();
-    LargestPushed = LargestClamped = 0.0;
-  }
 };
 
 vtkFAPAnimationFilter::vtkFAPAnimationFilter() : Impl(std::make_unique<Internals>()) {
@@ -219,11 +213,15 @@ double vtkFAPAnimationFilter::GetPushed() const {
 }
 
 double vtkFAPAnimationFilter::GetLargestPushed() const {
-  return this->Impl->LargestPushed;
+  return this->Impl->Remarks.largestPushed;
+}
+
+double vtkFAPAnimationFilter::GetSmallestKeptShare() const {
+  return this->Impl->Remarks.smallestKept;
 }
 
 double vtkFAPAnimationFilter::GetLargestContactClamped() const {
-  return this->Impl->LargestClamped;
+  return this->Impl->Remarks.largestClamped;
 }
 
 double vtkFAPAnimationFilter::GetKeptShare() const {
@@ -231,7 +229,7 @@ double vtkFAPAnimationFilter::GetKeptShare() const {
 }
 
 std::vector<int> vtkFAPAnimationFilter::GetIgnoredFAPs() const {
-  return {this->Impl->Ignored.begin(), this->Impl->Ignored.end()};
+  return {this->Impl->Remarks.ignoredFAPs.begin(), this->Impl->Remarks.ignoredFAPs.end()};
 }
 
 int vtkFAPAnimationFilter::RequestInformation(vtkInformation*, vtkInformationVector** inputs,
@@ -285,23 +283,18 @@ std::string vtkFAPAnimationFilter::Prepare(vtkPolyData* curves) {
   impl.TableMayHaveChanged = !impl.Bound;
   impl.BoundInput = curves;
   impl.BoundTime = curves->GetMTime();
-  impl.forgetResults();
+  impl.Remarks = {};
   return fault;
 }
 
 /// What frames of one file left out is not said of another.
 void vtkFAPAnimationFilter::ForgetOtherFile(int load) {
-  if (load != this->Impl->Load) this->Impl->forgetResults();
+  if (load != this->Impl->Load) this->Impl->Remarks = {};
   this->Impl->Load = load;
 }
 
 void vtkFAPAnimationFilter::NoteResults(const mien::FAPFrame& frame) {
-  Internals& impl = *this->Impl;
-  impl.LargestPushed = std::max(impl.LargestPushed, impl.Animator.pushed());
-  impl.LargestClamped = std::max(impl.LargestClamped, impl.Animator.contactClamped());
-  const size_t known = impl.Ignored.size();
-  for (const int fap : impl.Animator.ignoredFAPs(frame)) impl.Ignored.insert(fap);
-  if (impl.Ignored.size() > known) this->InvokeEvent(IgnoredFAPsEvent);
+  if (this->Impl->Remarks.add(this->Impl->Animator, frame)) this->InvokeEvent(IgnoredFAPsEvent);
 }
 
 namespace {

@@ -111,6 +111,9 @@ class MIENANIMATION_EXPORT vtkFAPAnimationFilter : public vtkPolyDataAlgorithm {
   /** 1, or the share of the movement that was kept when absurd values would have crossed curves. */
   double GetKeptShare() const;
 
+  /** The same, the smallest of all frames of this face, table and file so far. */
+  double GetSmallestKeptShare() const;
+
   /** The FAPs set in any frame of this face, table and file so far that move nothing: the face or the animation table
    * has no such part. */
   std::vector<int> GetIgnoredFAPs() const;

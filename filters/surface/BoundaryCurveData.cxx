@@ -32,8 +32,9 @@ vtkIdType closedLineLength(vtkPolyData* data, vtkIdList* ids) {
   return closed ? n - 1 : 0;
 }
 
+/// Curves count from 1, as the face's do.
 std::string lineName(vtkIdType line) {
-  return "line " + std::to_string(line);
+  return "curve " + std::to_string(line + 1);
 }
 
 std::string checkLines(vtkPolyData* data) {

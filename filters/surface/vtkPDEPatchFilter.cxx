@@ -51,7 +51,7 @@ std::string readConditions(vtkPolyData* curves, std::vector<mien::Condition>& co
   for (int i = 0; i < count; ++i) {
     const double order = derivative ? derivative->GetTuple1(firstLine + i) : 0.0;
     if (!(order >= 0.0 && order < largestOrder && std::floor(order) == order))
-      return "array Derivative, line " + std::to_string(i) + ": " + std::to_string(order) +
+      return "array Derivative, curve " + std::to_string(i + 1) + ": " + std::to_string(order) +
              " is no order of a derivative; give a whole number from 0 to one less than there are curves";
     conditions.push_back({u->GetTuple1(firstLine + i), static_cast<int>(order), i});
   }
@@ -68,7 +68,8 @@ std::string describeFault(const std::vector<mien::Condition>& conditions, int cu
     for (const mien::Condition& condition : conditions)
       if (!(condition.u >= 0.0 && condition.u <= 1.0) || condition.derivative < 0 ||
           condition.derivative >= curveCount) {
-        fault << "condition " << condition.curve << " is outside u = 0 .. 1 or derivative = 0 .. " << curveCount - 1;
+        fault << "the condition of curve " << condition.curve + 1 << " is outside u = 0 .. 1 or derivative = 0 .. "
+              << curveCount - 1;
         break;
       }
   return fault.str();

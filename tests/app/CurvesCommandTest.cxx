@@ -86,8 +86,6 @@ TEST(CurvesCommand, ACompactFaceServesWhereverCurvesDo) {
     EXPECT_EQ(outcome.errors, "") << arguments[0];
   }
   EXPECT_NE(runMien({"info", face}).output.find("feature points    60"), std::string::npos);
-  EXPECT_EQ(runMien({"patch", face, "-o", folder.file("p.vts")}).exitCode,
-            runMien({"patch", folder.file("d.vtp"), "-o", folder.file("q.vts")}).exitCode);
 }
 
 TEST(CurvesCommand, DamagedCompactFacesAndWrongTolerancesAreRefused) {
@@ -102,6 +100,8 @@ TEST(CurvesCommand, DamagedCompactFacesAndWrongTolerancesAreRefused) {
                 ": the checksum is wrong: the file is damaged or cut off; copy the file again or write it anew\n");
   for (const char* const tolerance : {"0", "-1mm", "1e9", "0.1 furlong", "x"})
     EXPECT_EQ(runMien({"curves", "--tolerance", tolerance, "-o", folder.file("d.mienz")}).exitCode, 2) << tolerance;
+  for (const char* const option : {"--tolerance", "--name"})
+    EXPECT_EQ(runMien({"curves", option, "0.1mm", "-o", folder.file("d.vtp")}).exitCode, 2) << option;
   EXPECT_EQ(entriesIn(folder.file("")), 1);
 }
 

@@ -108,6 +108,21 @@ TEST(FatCommand, ATableOfOnesOwnMovesTheFace) {
   EXPECT_GT(largest, 1.0);
 }
 
+/// Without contacts nothing makes room: what is left of the movement is told.
+TEST(FatCommand, AFaceDrawnBackFromCrossingsIsTold) {
+  TemporaryFolder folder;
+  writeTextFile(folder.file("table.json"),
+                R"({"format": "mien animation table", "version": 3, "contacts": [], "faps": [{"fap": 63,
+                    "borders": [-1000, 0, 1000], "parts": [{"curves": ["C15"], "slopes": [[0, 1, 0], [0, 1, 0]],
+                    "profile": {"shape": "linear", "knots": [["9.3-30", 0], ["9.3", 1], ["9.3+30", 0]]}}]}]})");
+  const std::string output = folder.file("a.csv");
+  const Outcome far = runMien({"curves", "--fat", folder.file("table.json"), "--set", "63=300", "-o", output});
+  EXPECT_EQ(far.exitCode, 0) << far.errors;
+  EXPECT_NE(far.errors.find("the whole face keeps only 37 % of its movement"), std::string::npos) << far.errors;
+  const Outcome near = runMien({"curves", "--fat", folder.file("table.json"), "--set", "63=100", "-o", output});
+  EXPECT_EQ(near.errors, "");
+}
+
 TEST(FatCommand, ATableThatMovesNothingIsRefused) {
   const Outcome empty = checkText("{\"format\": \"mien animation table\", \"version\": 2, \"faps\": []}");
   EXPECT_EQ(empty.exitCode, 1);

@@ -205,7 +205,7 @@ TEST(FdtApplyCommand, ErrorsSayWhatToDoAndLeaveNothing) {
   const std::string head = heads.file("head.ply"), moved = folder.file("o.ply");
   ASSERT_EQ(runMien({"surface", "-o", head}).exitCode, 0);
   expect({"joy", head, "-o", moved}, 1, "head.ply: nothing tells where its pupils are; give the 68 landmarks (--land");
-  expect({"joy", head, "--pupils", "31,37,-31,37", "-o", moved}, 2, "'31,37,-31,37' have no z");
+  expect({"joy", head, "--pupils", "31,37,-31,37", "-o", moved}, 2, "'31,37,-31,37' are no places of a surface");
   expect({"joy", head, "--pupils", "-31,37,82,31,37,82", "-o", moved}, 1, "head.ply: the nose lies above the eyes");
   expect({"joy", folder.file("none.ply"), "-o", folder.file("o.ply")}, 1, "there is no such file");
   EXPECT_EQ(entriesIn(folder.file("")), 1);

@@ -159,6 +159,23 @@ TEST(InfoCommand, TellsAScan) {
     EXPECT_NE(outcome.output.find(part), std::string::npos) << outcome.output;
 }
 
+TEST(InfoCommand, TellsWhichKindOfFileAJsonIs) {
+  const std::string data = MIEN_DATA_DIR;
+  const json table = infoOf({data + "/animation/animation_table.json"})["json"];
+  EXPECT_EQ(table["kind"], "animation table");
+  EXPECT_EQ(table["version"], 3);
+  EXPECT_EQ(infoOf({data + "/deformation/regions.json"})["json"]["kind"], "map of facial regions");
+  const TemporaryFolder folder;
+  writeTextFile(folder.file("study.json"), R"({"mien_study": 1})");
+  EXPECT_EQ(infoOf({folder.file("study.json")})["json"]["kind"], "study");
+  for (const char* const text : {"{", "[]", R"({"format": "other"})"}) {
+    writeTextFile(folder.file("other.json"), text);
+    const Outcome outcome = runMien({"info", folder.file("other.json")});
+    EXPECT_EQ(outcome.exitCode, 1) << text;
+    EXPECT_EQ(outcome.errors.rfind("mien: " + folder.file("other.json") + ": this ", 0), 0u) << outcome.errors;
+  }
+}
+
 TEST(InfoCommand, TellsPhotographsTheirMeshesAndLandmarks) {
   const std::string textures = MIEN_DATA_DIR "/textures/";
   const json photograph = infoOf({textures + "painted.png"})["picture"];

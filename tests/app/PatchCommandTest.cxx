@@ -112,6 +112,44 @@ TEST(PatchCommand, WrongValuesAndFilesAreRefused) {
   }
 }
 
+/// A fault of the file leaves with 1, one of the options with 2.
+TEST(PatchCommand, CurvesThatMakeNoPatchAreAFaultOfTheFile) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("c.vtp"), output = folder.file("x.vts");
+  writeCurves(circles({5, 8, 5}), file);
+  const Outcome three = runMien({"patch", file, "-o", output});
+  EXPECT_EQ(three.exitCode, 1);
+  EXPECT_NE(three.errors.find(file + ": 3 curves make no patch"), std::string::npos) << three.errors;
+  writeCurves(circles({5, 1e300}), file);
+  const Outcome large = runMien({"patch", file, "-o", output});
+  EXPECT_EQ(large.exitCode, 1);
+  EXPECT_NE(large.errors.find("curve 2, point 0 (counted from 0) lies past 1e+15"), std::string::npos) << large.errors;
+}
+
+/// Four curves at thirds: the surface exceeds them as e^(a (N + 1) / 3), here 1e36 and 1e87 times.
+TEST(PatchCommand, ASurfaceBeyondAllSenseIsRefusedAndOneBelowHasNumbersOnly) {
+  const TemporaryFolder folder;
+  writeCurves(circles({5, 8, 3, 4}), folder.file("c.vtp"));
+  const std::string output = folder.file("x.vts");
+  const Outcome refused = runMien({"patch", folder.file("c.vtp"), "-a", "100", "-o", output});
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_NE(refused.errors.find("a = 100 and N = 5"), std::string::npos) << refused.errors;
+  EXPECT_FALSE(std::filesystem::exists(output));
+  ASSERT_EQ(runMien({"patch", folder.file("c.vtp"), "-a", "41", "-o", output}).exitCode, 0);
+  vtkNew<vtkXMLStructuredGridReader> reader;
+  reader->SetFileName(output.c_str());
+  reader->Update();
+  vtkDataArray* normals = reader->GetOutput()->GetPointData()->GetArray("Normals");
+  ASSERT_GT(reader->GetOutput()->GetNumberOfPoints(), 0);
+  for (vtkIdType i = 0; i < reader->GetOutput()->GetNumberOfPoints(); ++i) {
+    double point[3], normal[3];
+    reader->GetOutput()->GetPoint(i, point);
+    normals->GetTuple(i, normal);
+    EXPECT_NEAR(std::hypot(normal[0], normal[1], normal[2]), 1.0, 1e-5) << i;
+    for (const double x : point) ASSERT_TRUE(std::isfinite(x)) << i;
+  }
+}
+
 TEST(PatchCommand, OpenLinesAreAFaultOfTheFile) {
   const TemporaryFolder folder;
   writeTextFile(folder.file("c.vtp"), "<VTKFile type=\"PolyData\"><PolyData></PolyData></VTKFile>");

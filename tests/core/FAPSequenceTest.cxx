@@ -52,14 +52,46 @@ TEST(FAPSequence, BetweenFramesTheFrameBeforeOrTheLinearMixture) {
   EXPECT_NEAR(sequence.frameAtTime(0.125, true).number, 2.25, 1e-12);
 }
 
-TEST(FAPSequence, WeightsMixOnlyWhileTheSelectionStays) {
+TEST(FAPSequence, VisemesAndExpressionsMixByTheirWeights) {
+  FAPSequence sequence = ramp(2, 1.0);
+  sequence.frames[0].viseme = {10, 0, 63, 0};
+  sequence.frames[1].viseme = {14, 0, 63, 0};
+  sequence.frames[1].expression = {1, 40, 0, 0, 0, 0};
+  const FAPFrame quarter = sequence.frameAtTime(0.25, true);
+  EXPECT_EQ(quarter.viseme.select1, 10.0);
+  EXPECT_EQ(quarter.viseme.select2, 14.0);
+  EXPECT_EQ(quarter.viseme.blend, 0.75 * 63.0);
+  EXPECT_EQ(quarter.expression.select1, 1.0);
+  EXPECT_EQ(quarter.expression.intensity1, 10.0);
+  sequence.frames[0].viseme = {0, 0, 0, 0};  // nothing grows into one
+  const FAPFrame grown = sequence.frameAtTime(0.25, true);
+  EXPECT_EQ(grown.viseme.select1, 14.0);
+  EXPECT_EQ(grown.viseme.select2, 0.0);
+  EXPECT_EQ(grown.viseme.blend, 0.25 * 63.0);
+}
+
+/// The same pair the other way round is the same face.
+TEST(FAPSequence, WeightsBelongToWhatIsSelectedAndNotToItsPlace) {
+  FAPSequence sequence = ramp(2, 1.0);
+  sequence.frames[0].viseme = {5, 6, 21, 0};
+  sequence.frames[1].viseme = {6, 5, 42, 0};
+  sequence.frames[0].expression = {1, 10, 2, 20, 0, 0};
+  sequence.frames[1].expression = {2, 40, 1, 30, 0, 0};
+  const FAPFrame half = sequence.frameAtTime(0.5, true);
+  EXPECT_EQ(half.viseme.select1, 5.0);
+  EXPECT_EQ(half.viseme.blend, 21.0);
+  EXPECT_EQ(half.expression.intensity1, 20.0);
+  EXPECT_EQ(half.expression.intensity2, 30.0);
+}
+
+TEST(FAPSequence, MoreThanAFrameHasRoomForStaysThatOfTheFrameBefore) {
   FAPSequence sequence = ramp(2, 1.0);
   sequence.frames[0].expression = {1, 10, 2, 20, 0, 0};
   sequence.frames[1].expression = {1, 30, 3, 60, 0, 0};
   sequence.frames[0].viseme = {5, 0, 63, 0};
-  sequence.frames[1].viseme = {6, 0, 0, 0};
+  sequence.frames[1].viseme = {6, 0, 63, 1};  // and one that only defines
   const FAPFrame frame = sequence.frameAtTime(0.5, true);
-  EXPECT_EQ(frame.expression.intensity1, 20.0);
+  EXPECT_EQ(frame.expression.intensity1, 10.0);
   EXPECT_EQ(frame.expression.select2, 2.0);
   EXPECT_EQ(frame.expression.intensity2, 20.0);
   EXPECT_EQ(frame.viseme.select1, 5.0);

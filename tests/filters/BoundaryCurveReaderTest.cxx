@@ -73,9 +73,9 @@ TEST(BoundaryCurveReader, CoordinatesThatAreNoNumbersAreRefusedWithCurveAndPoint
   for (const double value : {nothing, infinity, -infinity})
     for (const int point : {7, 39})
       expectFaceRefused([&](mien::FaceCurves& face) { face.curves.curve(5)(point, 1) = value; },
-                        "curve C6, point " + std::to_string(point) + " is not a finite number");
+                        "curve C6, point " + std::to_string(point) + " (counted from 0) is not a finite number");
   expectFaceRefused([&](mien::FaceCurves& face) { face.curves.curve(mien::FaceLayout::lowerLip)(3, 0) = nothing; },
-                    "curve C22', point 3 is not a finite number");
+                    "curve C22', point 3 (counted from 0) is not a finite number");
   expectFaceRefused([&](mien::FaceCurves& face) { face.curves.curve(28)(3, 2) = nothing; },
                     "curve C28, point 3 is not");
 }

@@ -101,7 +101,7 @@ TEST(PDEPatchFilter, RefusesWhatMakesNoPatch) {
   refused(twice, "determine");
   Patch outside(cut(vase, {0, 0.3, 0.5, 1}));
   for (const double u : {0.0, 0.3, 0.5, 1.5}) outside.filter->AddCondition(u, 0);
-  refused(outside, "condition 3");
+  refused(outside, "condition of curve 4");
   Patch modes(cut(vase, {0, 0.3, 0.5, 1}));
   modes.filter->SetNumberOfModes(13);
   refused(modes, "0 .. 12");
@@ -214,10 +214,10 @@ TEST(PDEPatchFilter, RefusesCellArraysThatAreNoConditions) {
     EXPECT_EQ(patch.filter->GetOutput()->GetNumberOfPoints(), 0);
   };
   refused({0.0, 0.0}, "Derivative has 2 values");
-  refused({0.0, std::nan(""), 0.0, 0.0}, "Derivative, line 1");
-  refused({0.0, 0.0, 1e300, 0.0}, "Derivative, line 2");
-  refused({0.0, 0.0, 0.0, -1.0}, "Derivative, line 3");
-  refused({0.5, 0.0, 0.0, 0.0}, "Derivative, line 0");
+  refused({0.0, std::nan(""), 0.0, 0.0}, "Derivative, curve 2");
+  refused({0.0, 0.0, 1e300, 0.0}, "Derivative, curve 3");
+  refused({0.0, 0.0, 0.0, -1.0}, "Derivative, curve 4");
+  refused({0.5, 0.0, 0.0, 0.0}, "Derivative, curve 1");
   refused({0.0, 0.0, 0.0, 4.0}, "derivative = 0 .. 3");
 }
 

@@ -177,6 +177,7 @@ void CurveView::dress() {
   setColor(lines_->GetProperty(), theme.curve);
   setColor(points_->GetProperty(), theme.curve);
   setColor(skin_->GetProperty(), theme.viewBottom);
+  renderer()->GradientBackgroundOff();  // what hides the back has one colour, and would show before two
   setColor(mouth_.property(), theme.viewBottom);
 }
 
@@ -210,8 +211,8 @@ void CurveView::setBackHidden(bool hidden) {
 }
 
 void CurveView::useTheme() {
-  dress();
   RenderView::useTheme();
+  dress();
 }
 
 }  // namespace mien

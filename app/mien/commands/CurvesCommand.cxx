@@ -49,7 +49,7 @@ void write(const CurvesCommandOptions& options, vtkPolyData* curves) {
 
 void run(const CurvesCommandOptions& options) {
   requireEnding(options.output, {"vtp", "csv", "mienz"});
-  options.compact.check();
+  options.compact.check(options.output);
   FacePipeline pipeline;
   options.face.apply(pipeline);
   const std::string fault = pipeline.updateCurves();

@@ -281,6 +281,8 @@ void run(const FigureCommandOptions& options) {
   options.figure.check();
   if (options.format != "svg" && options.format != "pdf" && options.format != "png")
     throw ValueFailure("--format '" + options.format + "' is none of svg, pdf, png");
+  if (options.command->count("--format") > 0 && !options.all)
+    throw ValueFailure("--format is for the files of --all; without it the ending of -o tells");
   if (options.list) return listFigures();
   if (options.all + !options.from.empty() + !options.id.empty() > 1)
     throw ValueFailure("give one of an ID, --all and --from FILE");

@@ -15,6 +15,7 @@
 #include "FacePipeline.h"
 #include "Failure.h"
 #include "InfoText.h"
+#include "JsonInfo.h"
 #include "NumberText.h"
 #include "OutputFile.h"
 #include "PictureInfo.h"
@@ -176,7 +177,8 @@ struct InfoKind {
 
 constexpr InfoKind kinds[] = {{"table", describeTableFile, printTableFile},
                               {"scan", describeScanFile, printScanFile},
-                              {"picture", describePictureFile, printPictureFile}};
+                              {"picture", describePictureFile, printPictureFile},
+                              {"json", describeJsonFile, printJsonFile}};
 
 void deliver(const InfoCommandOptions& options, const char* name, const json& about, void (*print)(const json&)) {
   if (options.json)
@@ -205,7 +207,8 @@ void addInfoCommand(CLI::App& program) {
   command->add_option(
       "file", options->file,
       "Boundary curves .vtp .mienz, animation .fap .csv, facial deformation table or markers .csv .fdt, scan "
-      ".ply .obj .stl .off, photograph .png .jpg .tif, its mesh or landmarks .csv [the generic face]");
+      ".ply .obj .stl .off, photograph .png .jpg .tif, its mesh or landmarks .csv, session, animation table, study or "
+      "map .json [the generic face]");
   command->add_flag("--json", options->json, "Machine-readable");
   options->face.addSurfaceOptions(*command);
   command->footer(

@@ -4,14 +4,12 @@
 #include "Arguments.h"
 #include "BoundaryCurveData.h"
 #include "Command.h"
-#include "CompactFaceFile.h"
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
 #include "SurfaceFile.h"
 #include "SurfaceTable.h"
 #include "XMLDataFile.h"
-#include "vtkBoundaryCurveReader.h"
 #include "vtkNew.h"
 #include "vtkPDEPatchFilter.h"
 #include "vtkPolyData.h"
@@ -29,19 +27,7 @@ struct PatchCommandOptions {
   bool noRemainder = false;
 };
 
-/// The boundary curves of a compact face file.
-vtkSmartPointer<vtkPolyData> readCompactFace(const std::string& name) {
-  vtkNew<vtkBoundaryCurveReader> reader;
-  PipelineErrors errors;
-  errors.observe(reader);
-  reader->SetFileName(name.c_str());
-  reader->Update();
-  if (!errors.first().empty()) throw FileFailure(errors.first());
-  return reader->GetOutput();
-}
-
 vtkSmartPointer<vtkPolyData> readCurves(const std::string& name) {
-  if (isCompactFaceFile(name)) return readCompactFace(name);
   vtkNew<vtkXMLPolyDataReader> reader;
   const std::string unreadable = readXMLDataFile(name, reader);
   if (!unreadable.empty()) throw FileFailure(unreadable);
@@ -71,13 +57,31 @@ void setOptions(const PatchCommandOptions& options, vtkPDEPatchFilter* patch) {
   patch->SetOutputPointsPrecision(doublePrecision ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::SINGLE_PRECISION);
 }
 
+/// What is wrong with the curves and their arrays, whatever the options.
+void requirePatch(const PatchCommandOptions& options, vtkPolyData* curves) {
+  vtkNew<vtkPDEPatchFilter> patch;
+  PipelineErrors errors;
+  errors.observe(patch);
+  addConditions(options.conditions, patch);
+  patch->SetNumberOfModes(0);
+  patch->SetResolution(2, 3);
+  patch->SetInputData(curves);
+  patch->Update();
+  if (errors.first().empty()) return;
+  const std::string fault = options.curves + ": " + errors.first();
+  if (options.conditions.empty()) throw FileFailure(fault);
+  throw ValueFailure(fault);
+}
+
 void run(const PatchCommandOptions& options) {
   requireSurfaceOrTable(options.output);
+  const auto curves = readCurves(options.curves);
+  requirePatch(options, curves);
   vtkNew<vtkPDEPatchFilter> patch;
   setOptions(options, patch);
   PipelineErrors errors;
   errors.observe(patch);
-  patch->SetInputData(readCurves(options.curves));
+  patch->SetInputData(curves);
   patch->Update();
   if (!errors.first().empty()) throw ValueFailure(options.curves + ": " + errors.first());
   if (isTable(options.output))
@@ -91,8 +95,7 @@ void run(const PatchCommandOptions& options) {
 void addPatchCommand(CLI::App& program) {
   const auto options = std::make_shared<PatchCommandOptions>();
   CLI::App* command = program.add_subcommand("patch", "Write one PDE patch between any closed curves");
-  command->add_option("curves", options->curves, "Closed polylines of equal length, FILE.vtp, or a face, FILE.mienz")
-      ->required();
+  command->add_option("curves", options->curves, "Closed polylines of equal length, FILE.vtp")->required();
   command->add_option("-o,--output", options->output, "File to write: .vts .vtp .ply .obj .stl .off .csv")->required();
   command->add_option("--condition", options->conditions,
                       "U[:DERIVATIVE] of the next curve, once for each [arrays U and Derivative of the file, "
@@ -108,7 +111,8 @@ void addPatchCommand(CLI::App& program) {
       ->check(CLI::IsMember({"single", "double"}));
   command->footer(
       "Example: mien patch vase.vtp --condition 0 --condition 0:1 --condition 1 --condition 1:1 -o vase.vts\n"
-      "As many conditions as curves, an even number: their count is the order of the equation.");
+      "As many conditions as curves, an even number: their count is the order of the equation.\n"
+      "Normals and polygons face outwards when the curves run anticlockwise, seen from the first towards the last.");
   command->callback([options] { run(*options); });
 }
 

@@ -17,9 +17,22 @@ namespace {
 
 constexpr double visibleContact = 0.05;  ///< mm; less is lips and lids that just touch
 constexpr double visiblePush = 0.5;      ///< mm; less is what curves near a moving lip or lid do in any lively face
+constexpr double visibleShare = 0.99;    ///< of the movement; more is not seen
 
 double oneDecimal(double mm) {
   return std::round(mm * 10.0) / 10.0;
+}
+
+/// Says how far curves gave way to each other, and what the face kept of its movement where that was not enough.
+void printRoom(const FacePipeline& pipeline, const std::string& lead) {
+  const double pushed = pipeline.animation()->GetLargestPushed();
+  if (pushed >= visiblePush)
+    std::cerr << lead << "curves without room for these FAPs gave way by up to " << oneDecimal(pushed)
+              << " mm; smaller values leave every curve its way\n";
+  const double kept = pipeline.animation()->GetSmallestKeptShare();
+  if (kept <= visibleShare)
+    std::cerr << lead << "curves would cross, so the whole face keeps only " << std::lround(100.0 * kept)
+              << " % of its movement; smaller values, or contacts in the animation table, make room\n";
 }
 
 }  // namespace
@@ -41,21 +54,16 @@ void printRemarks(const FacePipeline& pipeline, const ContactCount& contact) {
   const std::string file = shownAnimationName(pipeline.state().fapFile);
   if (!file.empty())
     for (const std::string& warning : pipeline.frames()->GetWarnings()) std::cerr << "mien: " << warning << "\n";
+  const std::string lead = "mien: " + (file.empty() ? "" : file + ": ");
   const std::vector<int> ignored = pipeline.animation()->GetIgnoredFAPs();
-  if (!ignored.empty())
-    std::cerr << "mien: " << (file.empty() ? "" : file + ": ")
-              << "these FAPs move nothing on this face: " << listOfFAPs(ignored) << "\n";
+  if (!ignored.empty()) std::cerr << lead << "these FAPs move nothing on this face: " << listOfFAPs(ignored) << "\n";
   if (contact.clamped > 0)
-    std::cerr << "mien: " << (file.empty() ? "" : file + ": ") << "lips or lids are pressed together"
+    std::cerr << lead << "lips or lids are pressed together"
               << (contact.frames > 1
                       ? " in " + std::to_string(contact.clamped) + " of " + counted(contact.frames, "frame")
                       : "")
               << "; crossings of up to " << oneDecimal(contact.largest) << " mm were undone\n";
-  const double pushed = pipeline.animation()->GetLargestPushed();
-  if (pushed >= visiblePush)
-    std::cerr << "mien: " << (file.empty() ? "" : file + ": ")
-              << "curves without room for these FAPs gave way by up to " << oneDecimal(pushed)
-              << " mm; smaller values leave every curve its way\n";
+  printRoom(pipeline, lead);
 }
 
 }  // namespace mien

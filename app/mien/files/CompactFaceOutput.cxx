@@ -16,6 +16,7 @@
 namespace mien {
 
 void CompactFaceOutput::addTo(CLI::App& command) {
+  command_ = &command;
   command.add_option("--tolerance", tolerance_, "Of .mienz: RMS distance of its points to these, at most")
       ->capture_default_str()
       ->group("Compact face");
@@ -26,7 +27,10 @@ double CompactFaceOutput::tolerance() const {
   return parseMillimetres("--tolerance", tolerance_);
 }
 
-void CompactFaceOutput::check() const {
+void CompactFaceOutput::check(const std::string& fileName) const {
+  for (const char* option : {"--tolerance", "--name"})
+    if (command_->count(option) > 0 && fileEnding(fileName) != "mienz")
+      throw ValueFailure(std::string(option) + " is for .mienz, which " + fileName + " is not");
   using Limits = CompactFaceLimits;
   if (!(tolerance() >= Limits::finest && tolerance() <= Limits::coarsest))
     throw ValueFailure("--tolerance '" + tolerance_ + "' is not allowed; give " + shortestText(Limits::finest) +

@@ -15,8 +15,8 @@ class CompactFaceOutput {
  public:
   void addTo(CLI::App& command);
 
-  /// Throws a ValueFailure for a tolerance that is none.
-  void check() const;
+  /// Throws a ValueFailure for a tolerance that is none, and for options of another kind of file.
+  void check(const std::string& fileName) const;
 
   /// Writes boundary curves, and says on stderr what was left out; a FileFailure or a ValueFailure when they cannot be.
   void write(vtkPolyData* curves, const std::string& fileName) const;
@@ -24,6 +24,7 @@ class CompactFaceOutput {
  private:
   double tolerance() const;
 
+  const CLI::App* command_ = nullptr;
   std::string tolerance_ = "0.1mm", faceName_;
 };
 

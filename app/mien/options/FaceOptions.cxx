@@ -127,9 +127,10 @@ FaceState FaceOptions::start() const {
   if (fault.empty()) fault = readSession(text, session);
   if (fault.empty() && !session.contains("face")) fault = "the member 'face' is missing";
   if (fault.empty()) fault = readFaceState(session["face"].dump(), state);
+  if (fault.empty()) fault = describeFault(state.surface, 2 * std::max(0, state.surface.modes));
   if (fault.empty()) return state;
   if (isText) throw ValueFailure(std::string(faceOption::state) + ": " + fault);
-  throw FileFailure(state_ + ": " + fault);
+  throw FileFailure(state_ + (fault.front() == ' ' ? ":" : ": ") + fault);
 }
 
 FaceState FaceOptions::state() const {

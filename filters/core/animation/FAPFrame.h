@@ -19,6 +19,7 @@ class FAPFrame {
  public:
   static constexpr int count = 68;  ///< FAP numbers run from 1 to 68
   static constexpr int firstLowLevel = 3;
+  static constexpr double fullWeight = 63.0;  ///< of a viseme's blend and an expression's intensity
 
   double value(int fap) const { return values_[fap - 1]; }  ///< in FAP units; fap in 1 .. 68
   void setValue(int fap, double v) { values_[fap - 1] = v; }

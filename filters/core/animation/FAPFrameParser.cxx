@@ -10,7 +10,7 @@ namespace mien {
 
 namespace {
 
-constexpr double largestViseme = 14.0, largestExpression = 6.0, largestWeight = 63.0;
+constexpr double largestViseme = 14.0, largestExpression = 6.0;
 constexpr std::size_t visemeValues = 4, expressionValues = 6;
 
 /// Brings the fields of FAP 1 and 2 into their ranges and remembers whether one had to be changed.
@@ -20,7 +20,7 @@ class Limiter {
     const bool exists = value >= 0.0 && value <= largest && value == std::floor(value);
     set(value, exists ? value : 0.0);  // what does not exist selects nothing
   }
-  void weight(double& value) { set(value, std::clamp(value, 0.0, largestWeight)); }
+  void weight(double& value) { set(value, std::clamp(value, 0.0, FAPFrame::fullWeight)); }
   void flag(double& value) { set(value, value == 0.0 ? 0.0 : 1.0); }
 
   bool changed = false;
@@ -121,11 +121,11 @@ bool FAPFrameParser::readHighLevel(bool singleValues, FAPFrame& frame) {
   Viseme& v = frame.viseme;
   Expression& e = frame.expression;
   if (mask_[0]) v.select1 = take();
-  if (mask_[0] && singleValues) v.blend = v.select1 == 0.0 ? 0.0 : largestWeight;
+  if (mask_[0] && singleValues) v.blend = v.select1 == 0.0 ? 0.0 : FAPFrame::fullWeight;
   if (mask_[0] && !singleValues)
     for (double* value : {&v.select2, &v.blend, &v.definition}) *value = take();
   if (mask_[1]) e.select1 = take();
-  if (mask_[1] && singleValues) e.intensity1 = e.select1 == 0.0 ? 0.0 : largestWeight;
+  if (mask_[1] && singleValues) e.intensity1 = e.select1 == 0.0 ? 0.0 : FAPFrame::fullWeight;
   if (mask_[1] && !singleValues)
     for (double* value : {&e.intensity1, &e.select2, &e.intensity2, &e.initialFace, &e.definition}) *value = take();
   return limitHighLevel(frame);

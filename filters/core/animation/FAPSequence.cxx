@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "HighLevelMixture.h"
+
 namespace mien {
 
 namespace {
@@ -37,23 +39,13 @@ double mix(double a, double b, double weight) {
   return (1.0 - weight) * a + weight * b;
 }
 
-void mixViseme(const Viseme& next, double weight, Viseme& viseme) {
-  if (viseme.select1 == next.select1 && viseme.select2 == next.select2)
-    viseme.blend = mix(viseme.blend, next.blend, weight);
-}
-
-void mixExpression(const Expression& next, double weight, Expression& expression) {
-  if (expression.select1 == next.select1) expression.intensity1 = mix(expression.intensity1, next.intensity1, weight);
-  if (expression.select2 == next.select2) expression.intensity2 = mix(expression.intensity2, next.intensity2, weight);
-}
-
 FAPFrame mixture(const FAPFrame& before, const FAPFrame& after, double weight) {
   FAPFrame frame = before;
   frame.number = mix(before.number, after.number, weight);
   for (int fap = FAPFrame::firstLowLevel; fap <= FAPFrame::count; ++fap)
     frame.setValue(fap, mix(before.value(fap), after.value(fap), weight));
-  mixViseme(after.viseme, weight, frame.viseme);
-  mixExpression(after.expression, weight, frame.expression);
+  frame.viseme = mixture(before.viseme, after.viseme, weight);
+  frame.expression = mixture(before.expression, after.expression, weight);
   return frame;
 }
 

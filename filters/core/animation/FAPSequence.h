@@ -46,8 +46,8 @@ struct FAPSequence {
   /// frame by less than a millionth of the frame interval counts as that frame, so that sums of intervals find theirs.
   std::size_t indexAtTime(double time) const;
 
-  /// The frame at or before a time (s), or between two frames their linear mixture; there must be a frame. Viseme and
-  /// expression selections are those of the frame before; their weights are mixed while both frames select the same.
+  /// The frame at or before a time (s), or between two frames their linear mixture; there must be a frame. Visemes and
+  /// expressions are mixed by their weights; where the frames select more than two, those of the frame before stay.
   FAPFrame frameAtTime(double time, bool interpolate) const;
 };
 

@@ -109,7 +109,9 @@ StudyPose expressionOf(const std::string& text) {
     const auto intensity =
         colon == std::string::npos ? std::optional<double>(1.0) : parseNumber(std::string_view(part).substr(colon + 1));
     const std::string name = part.substr(0, colon);
-    if (name.empty() || !intensity || !(*intensity >= 0.0 && *intensity <= 1.0))
+    if (!name.empty() && intensity && !(*intensity >= 0.0 && *intensity <= 1.0))
+      refuse("the intensity of " + inQuotes(text) + " is outside 0 .. 1");
+    if (name.empty() || !intensity)
       refuse(inQuotes(text) + " is no expression; write \"neutral\", \"joy\" or \"joy:0.6,surprise:0.4\"");
     if (!pose.expressions.emplace(name, *intensity).second) refuse(inQuotes(text) + " gives " + name + " twice");
   }

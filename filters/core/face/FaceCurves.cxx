@@ -24,15 +24,6 @@ std::string describeCrossing(const ClosedCurves& curves) {
 }
 
 /// With the names of the layout: C22' makes the number of a curve differ from its place.
-std::string describeNonFinite(const ClosedCurves& curves) {
-  const int k = curves.pointsPerCurve;
-  for (int row = 0; row < curves.points.rows(); ++row)
-    if (!curves.points.row(row).allFinite())
-      return "curve " + FaceLayout::curveName(row / k) + ", point " + std::to_string(row % k) +
-             " is not a finite number";
-  return {};
-}
-
 std::string describeFeatureFault(const FaceCurves& face) {
   for (const FeaturePoint& feature : face.features)
     if (feature.curve < 0 || feature.curve >= face.curves.count || !(feature.v >= 0.0 && feature.v < 6.2831854))
@@ -56,7 +47,7 @@ std::string describeFault(const FaceCurves& face) {
   if (face.curves.count != FaceLayout::curveCount)
     return "a face has " + std::to_string(FaceLayout::curveCount) + " boundary curves, not " +
            std::to_string(face.curves.count);
-  for (const std::string& fault : {describeNonFinite(face.curves), describeFault(face.curves),
+  for (const std::string& fault : {describePointFault(face.curves, FaceLayout::curveName), describeFault(face.curves),
                                    describeCrossing(face.curves), describeFeatureFault(face)})
     if (!fault.empty()) return fault;
   return {};

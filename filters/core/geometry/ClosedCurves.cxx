@@ -24,15 +24,23 @@ Eigen::VectorXd cardinalWeights(int pointsPerCurve, double v) {
   return weights;
 }
 
+std::string describePointFault(const ClosedCurves& curves, const std::function<std::string(int)>& nameOfCurve) {
+  const int k = curves.pointsPerCurve;
+  for (int row = 0; row < curves.points.rows(); ++row) {
+    const double largest = curves.points.row(row).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
+    if (largest <= ClosedCurves::largestCoordinate) continue;
+    return "curve " + nameOfCurve(row / k) + ", point " + std::to_string(row % k) + " (counted from 0) " +
+           (std::isfinite(largest) ? "lies past 1e+15; give coordinates in mm" : "is not a finite number");
+  }
+  return {};
+}
+
 std::string describeFault(const ClosedCurves& curves, int minimumPoints) {
   const int k = curves.pointsPerCurve;
   if (k < minimumPoints || k % 2 != 0)
     return "curves have " + std::to_string(k) + " points each; an even number of at least " +
            std::to_string(minimumPoints) + " is needed";
-  for (int row = 0; row < curves.points.rows(); ++row)
-    if (!curves.points.row(row).allFinite())
-      return "curve " + std::to_string(row / k + 1) + ", point " + std::to_string(row % k) + " is not a finite number";
-  return {};
+  return describePointFault(curves, [](int index) { return std::to_string(index + 1); });
 }
 
 }  // namespace mien

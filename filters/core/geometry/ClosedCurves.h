@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 
 namespace mien {
@@ -11,6 +12,8 @@ namespace mien {
 /// The closing sample is not stored. Between samples a curve is its trigonometric interpolant.
 struct ClosedCurves {
   using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+  static constexpr double largestCoordinate = 1e15;  ///< products of larger ones leave single precision
 
   int count = 0;           ///< number of curves
   int pointsPerCurve = 0;  ///< K, even
@@ -30,6 +33,10 @@ struct ClosedCurves {
 /// Values at v of the K trigonometric cardinal functions of K equidistant samples (K even): the
 /// interpolant of samples f is weights.dot(f).
 Eigen::VectorXd cardinalWeights(int pointsPerCurve, double v);
+
+/// One sentence about the first point that is not finite or past largestCoordinate, or nothing.
+/// @param nameOfCurve  by index from 0
+std::string describePointFault(const ClosedCurves& curves, const std::function<std::string(int)>& nameOfCurve);
 
 /// One sentence that says which curve is unusable and why, or nothing when all are finite, K is even
 /// and K >= `minimumPoints`.

@@ -1,10 +1,26 @@
 #include "PDESurface.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace mien {
 
 namespace {
+
+/// Past this no digit of a surface is true: e^(a (N + 1) / 3) of the four-curve scheme where faces are refused.
+constexpr double largestFactor = 1e37;
+
+/// One sentence when conditions make no surface, or one that exceeds its curves beyond all sense, or nothing.
+std::string describeFault(const Eigen::MatrixXd& u, const SurfacePiece& piece, const HarmonicSplit& split) {
+  if (u.size() == 0)
+    return "the conditions of a patch do not determine a surface; give as many independent ones as its order";
+  if (u.cwiseAbs().maxCoeff<Eigen::PropagateNaN>() <= largestFactor) return {};
+  std::ostringstream fault;
+  fault << "with a = " << piece.smoothing << " and N = " << split.modes()
+        << " the surface exceeds its curves more than " << largestFactor
+        << " times and loses all precision; choose a smaller a or N";
+  return fault.str();
+}
 
 /// A grid from the first column of a strip on.
 template <class Scalar>
@@ -40,10 +56,8 @@ void PDESurface<Scalar>::addBlock(const SurfacePiece& piece, std::vector<int> da
     RowMajor<Scalar>& matrix = block.matrices.emplace_back(piece.u.size(), conditions * split_.count());
     for (int part = 0; part < split_.count(); ++part) {
       const Eigen::MatrixXd u = pieceOperator(piece, split_, part, order);
-      if (u.size() == 0) {
-        fault_ = "the conditions of a patch do not determine a surface; give as many independent ones as its order";
-        return;
-      }
+      fault_ = describeFault(u, piece, split_);
+      if (!fault_.empty()) return;
       matrix.middleCols(part * conditions, conditions) = u.template cast<Scalar>();
     }
   }

@@ -188,7 +188,8 @@ void repeatNormals(int rows, int columns, const OutputRows<Scalar>& normals) {
     const Scalar* last = up;
     Scalar* normal = normals.at(row, 0);
     for (int column = 0; column < columns; ++column, normal += 3) {
-      if (normal[0] == 0 && normal[1] == 0 && normal[2] == 0) std::copy(last, last + 3, normal);
+      const Scalar size = std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2]);
+      if (!(size > 0 && size < 2)) std::copy(last, last + 3, normal);  // also where its length is past the numbers
       last = normal;
     }
   }

@@ -77,9 +77,11 @@ void run(const FdtMeanCommandOptions& options) {
   }
   options.reading.refuseForTables(recordings > 0, "what was given");
   const DeformationTable mean = meanTable(tables);
-  options.output.write(mean, options.comment.empty() ? "Mean of " + counted(tables.size()) +
-                                                           " with standard deviations, pupil units; Mien " MIEN_VERSION
-                                                     : options.comment);
+  options.output.write(mean, options.comment.empty()
+                                 ? "Mean of " + counted(tables.size()) +
+                                       std::string(tables.size() > 1 ? " with standard deviations" : "") +
+                                       ", pupil units; Mien " MIEN_VERSION
+                                 : options.comment);
   report.json["tables"] = tables.size();
   if (recordings) report.json["mean_rms"] = sum / recordings;
   report.rows = rowsOf(mean, regions);

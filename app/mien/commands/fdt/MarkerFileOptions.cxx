@@ -24,6 +24,8 @@ EyePupils parsePlaces(const std::string& option, const std::vector<std::string>&
     places.left[axis] = parseNumber(option, parts[axis]);
     places.right[axis] = parseNumber(option, parts[axes + axis]);
   }
+  if (places.left == places.right)
+    throw ValueFailure(option + ": both pupils lie at the same place; give the subject's left one, then the right one");
   return places;
 }
 
@@ -111,10 +113,9 @@ MarkerOptions MarkerFileOptions::markers() const {
 
 void MarkerFileOptions::requirePupilsInSpace() const {
   for (const std::string* text : {&pupils_, &expressionPupils_})
-    if (splitText(*text, ',').size() == 4)
+    if (!text->empty() && splitText(*text, ',').size() != 6)
       throw ValueFailure("pupils '" + *text +
-                         "' have no z, which those of a surface need; give x,y,z,x,y,z, the subject's left pupil "
-                         "first");
+                         "' are no places of a surface; give x,y,z,x,y,z, the subject's left pupil first");
 }
 
 FacialRegions MarkerFileOptions::regions() const {
