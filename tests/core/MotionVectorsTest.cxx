@@ -319,6 +319,20 @@ TEST(VectorPicture, ZeroMotionHasNoArrows) {
   EXPECT_EQ(picture.longest(), 0.0);
 }
 
+TEST(VectorPicture, WithoutLinesTheArrowsAreTheSame) {
+  const mien::MotionField field = sphereField({1.0, 2.0, 0.0});
+  mien::VectorPictureOptions options;
+  options.sampling.kind = VectorSampling::Kind::Even;
+  options.sampling.spacing = 10.0;
+  const mien::VectorPicture whole = mien::drawnVectors(field, options);
+  options.lines = false;
+  const mien::VectorPicture bare = mien::drawnVectors(field, options);
+  EXPECT_FALSE(whole.outline.empty());
+  EXPECT_TRUE(bare.outline.empty());
+  ASSERT_GT(whole.arrows.size(), 20u);
+  EXPECT_EQ(bare.chosen, whole.chosen);
+}
+
 TEST(VectorPicture, ARegionIsEnlargedOrShownWithinTheWhole) {
   const mien::MotionField field = sphereField({0.0, 1.0, 0.0});
   mien::VectorPictureOptions options;

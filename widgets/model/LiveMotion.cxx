@@ -154,7 +154,8 @@ void LiveMotion::survey(FaceMotion& motion, const MotionRequest& request, const 
     if (request.againstFrameBefore) sample.request.origin.frame = std::max(0, request.samples[i] - 1);
     measure(motion, sample);
     if (!sample.fault.isEmpty()) return;  // the picture will say so
-    const MotionVectorOptions& options = sample.request.options;
+    MotionVectorOptions& options = sample.request.options;
+    options.picture.lines = false;
     const RecentMotion::Lengths lengths = lengthsOf(*figureOf(sample, options), options);
     most.drawn = std::max(most.drawn, lengths.drawn);
     most.colored = std::max(most.colored, lengths.colored);

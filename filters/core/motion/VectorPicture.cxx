@@ -94,7 +94,7 @@ class PictureMaker {
       : field_(field), options_(options), occlusion_(field.surface, options.plane), places_(projected(field.origins)) {}
 
   VectorPicture make() {
-    addLines();
+    if (options_.lines) addLines();
     findCandidates();
     chooseFrame();
     addArrows();

@@ -17,6 +17,7 @@ struct VectorPictureOptions {
   Eigen::Vector2d paper = {80.0, 120.0};  ///< mm, the room of the picture in print, for automatic sampling
   bool hidden = false;                    ///< whether what the surface hides is drawn too
   bool wholeFrame = false;                ///< whether a region is shown within the whole surface
+  bool lines = true;                      ///< outline, seams and landmarks; finding them is most of the work
 };
 
 /// One vector in the picture, mm on the face.
