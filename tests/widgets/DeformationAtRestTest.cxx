@@ -42,9 +42,21 @@ TEST_F(DeformationAtRest, TheFaceAtRestOffersExamples) {
   EXPECT_EQ(window->model().state().deformation.strength, 1.0);
   ASSERT_TRUE(waitForNumbers());
   EXPECT_TRUE(find<QLabel>("deformationExpression")->text().startsWith("Nearest: joy, "));
+  EXPECT_TRUE(find<QLabel>("deformationExpression")->text().endsWith(" %"));
+  EXPECT_EQ(find<QLabel>("deformationOfWhat")->text(), "of the mean joy table");
   EXPECT_FALSE(find<QWidget>("deformationEmpty")->isVisible());
   choose("None");
   EXPECT_TRUE(waitUntil([&] { return !cells->isVisible(); }));
+}
+
+/// Until the first fit is there the dock does not say that nothing moves.
+TEST_F(DeformationAtRest, AFaceThatBeginsToMoveIsBeingFitted) {
+  window->model().change([](mien::FaceState& state) { state.expressions["surprise"] = 1.0; });
+  EXPECT_TRUE(find<QWidget>("deformationFitting")->isVisible());
+  EXPECT_FALSE(find<QWidget>("deformationEmpty")->isVisible());
+  ASSERT_TRUE(waitForNumbers());
+  window->model().change([](mien::FaceState& state) { state.expressions.clear(); });
+  EXPECT_TRUE(waitUntil([this] { return find<QWidget>("deformationEmpty")->isVisible(); }));
 }
 
 /// Names of the regions, units of the numbers, and no column out of sight in a window of the usual size.

@@ -57,6 +57,28 @@ mien::Figure oneLine() {
   return figure;
 }
 
+/// The tip of the triangle is where the line reaches the end of the axis.
+TEST_F(FigurePainter, ALineThatRunsOutOfTheTopIsMarkedThere) {
+  const auto isMarked = [](const mien::Figure& figure) {
+    const mien::FigurePainter drawn = painter(figure);
+    constexpr double pixel = 10.0;  // figure units
+    QImage image(1700, static_cast<int>(drawn.size().height() / pixel), QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter canvas(&image);
+    canvas.scale(1.0 / pixel, 1.0 / pixel);
+    drawn.paint(canvas);
+    const QPointF tip = drawn.panels()[0].position(4.1, 100.0);  // of 0 .. 10 and 0 .. 100
+    const QPointF inside = tip + QPointF(mien::figureUnitsFromPoints(1.2), mien::figureUnitsFromPoints(3.2));
+    return image.pixelColor((inside / pixel).toPoint()) == mien::FigureTheme::find("light")->series[0];
+  };
+  mien::Figure figure = oneLine();
+  EXPECT_FALSE(isMarked(figure));
+  EXPECT_FALSE(svg(figure).contains("off scale"));
+  figure.panels[0].series[0].y[2] = 130.0;  // 100 at 2 + 0.7 * 3
+  EXPECT_TRUE(isMarked(figure));
+  EXPECT_TRUE(svg(figure).contains("off scale"));
+}
+
 TEST_F(FigurePainter, DrawnPointsAreTheData) {
   const mien::Figure figure = oneLine();
   const std::vector<QPointF> points = polyline(svg(figure), 4);

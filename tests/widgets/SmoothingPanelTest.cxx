@@ -81,11 +81,15 @@ TEST_F(SmoothingPanel, TheAxisEndsBehindTheBreakdownOrAtTheFaceShown) {
   const double breakdown = *figure->figure().panels[0].series[0].breakdown;
   EXPECT_DOUBLE_EQ(end(), 2.0 * breakdown);
   EXPECT_LT(end(), 20.0);
+  const auto title = [this] { return QString::fromStdString(figure->figure().panels[0].x.title); };
+  EXPECT_TRUE(title().startsWith("a (beyond ") && title().endsWith(" the surface is no face: off scale)"))
+      << title().toStdString();
   figure->setFocus();
   QTest::keyClick(figure, Qt::Key_End);
   settle();
   EXPECT_NEAR(a(), 100.0, 1e-9);
   EXPECT_NEAR(end(), 100.0, 1e-9);
+  EXPECT_EQ(title(), "a") << "all of the range is shown";
 }
 
 TEST_F(SmoothingPanel, TheRangeIsSaidInWords) {
@@ -114,6 +118,28 @@ TEST_F(SmoothingPanel, SmallFacesDifferAndSetA) {
   EXPECT_NEAR(a(), 0.1, 1e-9);
 }
 
+/// With room around it, and the edge of the crown as the round line that it is.
+TEST_F(SmoothingPanel, SmallFacesAreWhole) {
+  ASSERT_TRUE(waitUntil([this] { return find<QToolButton>("smoothingThumbnail4")->isEnabled(); }, 20000));
+  for (int i = 0; i < 5; ++i) {
+    const QImage picture = find<QToolButton>(QString("smoothingThumbnail%1").arg(i))->icon().pixmap(84, 112).toImage();
+    QRect drawn;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        if (qAlpha(picture.pixel(x, y)) > 128) drawn |= QRect(x, y, 1, 1);
+    EXPECT_TRUE(picture.rect().adjusted(2, 2, -2, -2).contains(drawn)) << i;
+    const auto topAt = [&](double share) {
+      const int x = drawn.left() + static_cast<int>(share * (drawn.width() - 1));
+      int y = drawn.top();
+      while (qAlpha(picture.pixel(x, y)) <= 128) ++y;
+      return y;
+    };
+    EXPECT_EQ(topAt(0.5), drawn.top()) << i;
+    EXPECT_GE(topAt(0.25), drawn.top() + 1) << i;
+    EXPECT_GE(topAt(0.75), drawn.top() + 1) << i;
+  }
+}
+
 TEST_F(SmoothingPanel, AllSchemesAndEveryMeasureAreDrawn) {
   find<QCheckBox>("smoothingAllSchemes")->click();
   ASSERT_TRUE(waitUntil([this] { return seriesCount() == 6; }, 60000));
@@ -122,7 +148,7 @@ TEST_F(SmoothingPanel, AllSchemesAndEveryMeasureAreDrawn) {
   std::set<std::vector<double>> drawn;
   for (int i = 0; i < measure->count(); ++i) {
     measure->setCurrentIndex(i);
-    EXPECT_EQ(figure->figure().panels[0].y.title, "") << "the list has it";
+    EXPECT_EQ(mien::titleWithUnit(figure->figure().panels[0].y), measure->currentText().toStdString());
     drawn.insert(figure->figure().panels[0].series[0].y);
   }
   EXPECT_EQ(drawn.size(), 8u);

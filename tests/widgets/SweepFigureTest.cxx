@@ -43,10 +43,19 @@ TEST(SweepFigure, TheAxisOfAEndsSoonAfterTheLastBreakdown) {
   EXPECT_LE(*area->y.end, 110.0) << "what a broken surface has does not stretch the axis";
   EXPECT_GE(*area->y.begin, 90.0);
   EXPECT_EQ(area->series[0].x.back(), 128.0);  // the data themselves are complete
-  EXPECT_NE(both.caption.find("end at twice"), std::string::npos);
+  EXPECT_NE(both.caption.find("end at 8, twice the last of these: beyond, no scheme's surface is a face."),
+            std::string::npos)
+      << both.caption;
+  EXPECT_NE(both.caption.find("Triangles"), std::string::npos) << "curves leave the panels";
+  EXPECT_EQ(mien::sweepAxisTitle(*area), "a (beyond 8 no scheme's surface is a face: off scale)");
   const mien::Figure oneHolds = mien::sweepFigure(records, {{"four-curve", 2.0}}, 1.0);
   EXPECT_FALSE(panel(oneHolds, "Area")->x.end);
-  EXPECT_EQ(oneHolds.caption.find("end at twice"), std::string::npos);
+  EXPECT_EQ(oneHolds.caption.find("twice the last"), std::string::npos);
+  EXPECT_EQ(mien::sweepAxisTitle(*panel(oneHolds, "Area")), "a");
+  records.erase(std::remove_if(records.begin(), records.end(), [](const auto& one) { return one.scheme == "spline"; }),
+                records.end());
+  const mien::Figure alone = mien::sweepFigure(records, {{"four-curve", 3.1623}}, 1.0);
+  EXPECT_EQ(mien::sweepAxisTitle(*panel(alone, "Area")), "a (beyond 6.3 the surface is no face: off scale)");
 }
 
 TEST(SweepFigure, ValuesThatAreAllZeroLieOnTheAxis) {

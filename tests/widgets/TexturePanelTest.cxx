@@ -95,6 +95,11 @@ TEST_F(TexturePanel, WithoutAPhotographItSaysHowToGetOne) {
   ASSERT_TRUE(waitForWhole());
   EXPECT_TRUE(mesh->isVisible());
   EXPECT_FALSE(find<QWidget>("textureEmpty")->isVisible());
+  for (const auto& [name, words] :
+       {std::pair("textureMeshName", "Photograph"), std::pair("textureWarpedName", "Texture, as the face wears it")}) {
+    EXPECT_TRUE(find<QLabel>(name)->isVisible());
+    EXPECT_EQ(find<QLabel>(name)->text(), words);
+  }
 }
 
 TEST_F(TexturePanel, TheStateAloneDressesTheFace) {

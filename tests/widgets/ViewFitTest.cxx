@@ -17,11 +17,14 @@
 #include <array>
 #include <cmath>
 
+#include "ColorKey.h"
 #include "Comparison.h"
+#include "ComparisonSummary.h"
 #include "CurveView.h"
 #include "ElidedLabel.h"
 #include "FaceModel.h"
 #include "FaceView.h"
+#include "ReferenceData.h"
 #include "StudioFixture.h"
 #include "ViewArea.h"
 
@@ -70,6 +73,26 @@ class ViewFit : public StudioFixture {
       ASSERT_EQ(std::isnan(distances->GetComponent(i, 0)), isUncounted) << i;
     }
     EXPECT_GT(without, 300);
+  }
+  void expectWholeSummary(const char* name, const char* pattern) {
+    const auto* label = find<mien::ComparisonSummary>(name);
+    EXPECT_TRUE(label->summary().contains(QRegularExpression(pattern))) << label->summary().toStdString();
+    QString shown = label->text();
+    EXPECT_EQ(shown.replace('\n', ' ').toStdString(), label->summary().toStdString());
+    const QSize needed = label->fontMetrics().size(0, label->text());
+    EXPECT_LE(needed.width(), label->contentsRect().width()) << label->text().toStdString();
+    EXPECT_LE(needed.height(), label->contentsRect().height()) << label->text().toStdString();
+  }
+  /// How many pixels are free between the edges of a view and what it shows of a head above the chin: at the sides and
+  /// at the top.
+  std::array<double, 2> freeAround(vtkPolyData* head, mien::RenderView* view) {
+    vtkNew<vtkPoints> points;
+    for (vtkIdType i = 0; i < head->GetNumberOfPoints(); ++i)
+      if (head->GetPoint(i)[1] > chin()) points->InsertNextPoint(head->GetPoint(i));
+    vtkNew<vtkPolyData> above;
+    above->SetPoints(points);
+    const auto [low, high, aside] = seen(view, above);
+    return {0.5 * view->width() * (1.0 - aside), 0.5 * view->height() * (1.0 - high)};
   }
   QStringList cutTitles() {
     QStringList cut;
@@ -159,18 +182,23 @@ TEST_F(ViewFit, AComparisonCanAlwaysBeClosed) {
   }
 }
 
-/// Titles say which is which: buttons leave first. Numbers keep their unit.
+/// Titles say which is which: buttons leave first. Numbers keep their unit, and what they are of.
 TEST_F(ViewFit, TitlesAndNumbersAreWhole) {
-  for (const QSize size : {QSize(1280, 800), QSize(1000, 700)}) {
+  for (const QSize size : {QSize(2560, 1440), QSize(1280, 800), QSize(1000, 700)}) {
     window->resize(size);
     settle();
     EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
-    compareScheme("tangent");
+    window->model().change([](FaceState& state) { state.expressions = {{"joy", 1.0}}; });
+    compareScheme("four-curve");
     EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
-    for (const char* name : {"compareSummaryA", "compareSummaryB"}) {
-      const QString shown = find<mien::ElidedLabel>(name)->shownText();
-      EXPECT_TRUE(shown.contains(QRegularExpression("^RMS [0-9.]+, 95 % \u2264 [0-9.]+, max [0-9.]+ mm")))
-          << shown.toStdString();
+    EXPECT_EQ(find<mien::ViewArea>("viewArea")->comparison()->name(), "four-curve, joy");
+    expectWholeSummary("compareSummaryA",
+                       "^Point to point, by area of A: RMS [0-9.]+, 95 % \u2264 [0-9.]+, max [0-9.]+ mm$");
+    expectWholeSummary("compareSummaryB",
+                       "^Point to point, by area of B: RMS [0-9.]+, 95 % \u2264 [0-9.]+, max [0-9.]+ mm$");
+    EXPECT_EQ(find<QWidget>("compareSummaryA")->height(), find<QWidget>("compareSummaryB")->height());
+    for (const auto* key : find<QWidget>("viewArea")->findChildren<mien::ColorKey*>()) {
+      if (key->isVisible()) EXPECT_EQ(key->shownTitle(), "Difference of A and B (mm)") << size.width();
     }
     find<mien::ViewArea>("viewArea")->comparison()->clear();
     settle();
@@ -208,12 +236,42 @@ TEST_F(ViewFit, TheFaceOfAHeadIsLargeAndItsNeckIsNotCounted) {
   EXPECT_EQ(distance("otherFaceView"), distance("faceView"));
   expectUncountedWithoutNumber(comparison->drawn(mien::Comparison::Side::B), chin() - 15.0);
   const QString summary = comparison->summary(mien::Comparison::Side::B);
-  EXPECT_TRUE(summary.startsWith("RMS 0.00, 95 % \u2264 0.00, max 0.00 mm, B to A, ")) << summary.toStdString();
-  EXPECT_TRUE(summary.endsWith(" % opposite")) << summary.toStdString();
+  EXPECT_TRUE(summary.startsWith("B to A, ")) << summary.toStdString();
+  EXPECT_TRUE(summary.endsWith(" % opposite: RMS 0.00, 95 % \u2264 0.00, max 0.00 mm")) << summary.toStdString();
   EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
   const double withHead = distance("faceView");
   compareScheme("tangent");
   EXPECT_EQ(distance("faceView"), withHead);
+}
+
+/// Crown and ears are within the view, whatever of the neck is; A stays large.
+TEST_F(ViewFit, CrownAndEarsOfAHeadAreWithinTheView) {
+  auto* comparison = find<mien::ViewArea>("viewArea")->comparison();
+  auto* a = find<mien::RenderView>("faceView");
+  for (const char* subject : {"01", "03", "05"}) {
+    const std::string file = referencePath(std::string("heads/subject") + subject + "_neutral.ply");
+    MIEN_REQUIRE_REFERENCE(std::string("heads/subject") + subject + "_neutral.ply");
+    for (const QSize size : {QSize(1280, 800), QSize(1000, 700), QSize(2560, 1440)}) {
+      const std::string what = subject + (" at " + std::to_string(size.width()));
+      window->resize(size);
+      settle();
+      ASSERT_TRUE(comparison->openMesh(QString::fromStdString(file)));
+      ASSERT_TRUE(waitUntil([&] { return comparison->surface(mien::Comparison::Side::B) != nullptr; }, 20000));
+      settle();
+      for (const char* side : {"lookSide", "lookFortyFive", "lookFront"}) {
+        find<QToolButton>(side)->click();
+        settle();
+        const auto [aside, above] = freeAround(comparison->mesh(), find<mien::RenderView>("otherFaceView"));
+        EXPECT_GE(aside, 8.0) << what << ", " << side;
+        EXPECT_GE(above, 8.0) << what << ", " << side;
+        EXPECT_EQ(distance("otherFaceView"), distance("faceView")) << what;
+      }
+      const double width = seen(a, surface())[2] * a->width();
+      if (size.width() == 1280) EXPECT_GE(width, 300.0) << what;
+      if (subject == std::string("03")) expectWholeSummary("compareSummaryA", "^A to B, [0-9]+ % opposite: RMS .* mm$");
+      comparison->clear();
+    }
+  }
 }
 
 }  // namespace

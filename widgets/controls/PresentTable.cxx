@@ -136,10 +136,15 @@ QString PresentTable::neutralText() const {
   return motion.empty() ? tr("pinned at rest") : tr("pinned: %1").arg(QString::fromStdString(motion));
 }
 
+bool PresentTable::isOfPresentFace() const {
+  return fit_ && fitted_ == model_->state();
+}
+
 void PresentTable::request() {
   neutral_.setState(neutralState());
   const std::string fault = neutral_.update();
   if (!fault.empty()) {
+    fitted_ = model_->state();
     fit_.emplace();
     fit_->fault = QString::fromStdString(fault);
     emit changed();
@@ -148,10 +153,11 @@ void PresentTable::request() {
   const auto grids = std::make_shared<Grids>();
   grids->before = copyOf(neutral_.grid());
   grids->after = copyOf(model_->pipeline().grid());
-  const auto work = [this, grids](const BackgroundTask::Progress&) -> std::function<void()> {
+  const auto work = [this, grids, state = model_->state()](const BackgroundTask::Progress&) -> std::function<void()> {
     const auto fit = std::make_shared<Fit>(fitBetween(grids->before, grids->after));
-    return [this, fit] {
+    return [this, fit, state] {
       fit_ = *fit;
+      fitted_ = state;
       emit changed();
     };
   };

@@ -58,6 +58,7 @@ class PresentTable : public QObject, public SessionPart {
 
   void request();  ///< fits anew; the last request of several wins
   const std::optional<Fit>& fit() const { return fit_; }
+  bool isOfPresentFace() const;  ///< whether the fit is of the face as it stands now, not of one before
 
  signals:
   void changed();
@@ -68,6 +69,7 @@ class PresentTable : public QObject, public SessionPart {
   FacePipeline neutral_;
   std::optional<FaceState> pinned_;
   std::optional<Fit> fit_;
+  FaceState fitted_;  ///< that the fit is of
 };
 
 }  // namespace mien

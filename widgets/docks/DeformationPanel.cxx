@@ -37,6 +37,7 @@ namespace mien {
 namespace {
 
 enum Shown { Present, Chosen };
+enum Page { Empty, Results, Fitting };
 constexpr int leastFigure = 180;  // pixels beside the table
 const QPoint unitPlace(4, 1);
 constexpr int nearestMean = 0;  // first entry of the means; the expressions follow
@@ -65,6 +66,7 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
       detail_(new ElidedLabel(this)),
       origin_(new ElidedLabel(this)),
       expression_(new ElidedLabel(this)),
+      ofWhat_(new ElidedLabel(this)),
       unit_(new QLabel(tr("Not explained (pu)"), figure_)),
       onFace_(new QToolButton(this)) {
   setObjectName("deformationPanel");
@@ -86,6 +88,11 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
   rows->addWidget(detailRow());
   pages_->addWidget(emptyState());
   pages_->addWidget(results);
+  auto* fitting = new QLabel(tr("Fitting the table that moves the face so ..."), pages_);
+  fitting->setObjectName("deformationFitting");
+  fitting->setAlignment(Qt::AlignCenter);
+  fitting->setMinimumWidth(1);
+  pages_->addWidget(fitting);
   column->addWidget(pages_, 1);
   connectControls();
   new LiveUpdate(
@@ -117,6 +124,8 @@ void DeformationPanel::describeControls() {
   origin_->setProperty("faint", true);
   origin_->setToolTip(tr("The neutral face A that the table is fitted from"));
   expression_->setProperty("heading", true);
+  ofWhat_->setObjectName("deformationOfWhat");
+  ofWhat_->setProperty("faint", true);
   figure_->setMinimumWidth(leastFigure);
   figure_->setAccessibleName(tr("Movement that each expression does not explain"));
   figure_->setToolTip(
@@ -193,6 +202,7 @@ QWidget* DeformationPanel::expressionColumn() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
   column->addWidget(expression_);
+  column->addWidget(ofWhat_);
   unit_->setObjectName("deformationUnit");
   unit_->setProperty("faint", true);
   unit_->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -259,6 +269,7 @@ void DeformationPanel::showExpression() {
   Figure shown = figure();
   const auto& fit = present_->fit();
   expression_->setVisible(!shown.panels.empty());
+  ofWhat_->setVisible(!shown.panels.empty());
   unit_->setVisible(!shown.panels.empty());
   if (shown.panels.empty()) {
     figure_->setHint(fit ? fit->fault.isEmpty() ? tr("The face does not move: there is no expression to name.")
@@ -269,6 +280,7 @@ void DeformationPanel::showExpression() {
     const QString name = QString::fromStdString(PresentTable::expressions()[score.expression]);
     const QString percent = QString::number(100.0 * score.intensity, 'f', 0);
     expression_->setText(tr("Nearest: %1, %2 %").arg(name, percent));
+    ofWhat_->setText(tr("of the mean %1 table").arg(name));
     expression_->setToolTip(tr("The movement from A to the present face is nearest to %2 % of the mean %1 table: the "
                                "one that explains most of it, at the factor, 50 % to 150 %, that suits it best")
                                 .arg(name, percent));
@@ -300,12 +312,13 @@ void DeformationPanel::showCoefficients() {
 }
 
 /// Numbers that say nothing, of a face that does not move, give way to what can be done. A table that is chosen is
-/// shown also where its strength is nothing.
+/// shown also where its strength is nothing. A face that has just begun to move waits for its first numbers.
 void DeformationPanel::showPage() {
   const auto& fit = present_->fit();
   const bool moves = fit && (!fit->fault.isEmpty() || fit->moves());
   const bool isChosen = shown_->currentIndex() == Chosen && !model_->state().deformation.table.empty();
-  pages_->setCurrentIndex(moves || isChosen ? 1 : 0);
+  const bool isMoved = !model_->motionText().empty() || !model_->state().deformation.table.empty();
+  pages_->setCurrentIndex(moves || isChosen ? Results : isMoved && !present_->isOfPresentFace() ? Fitting : Empty);
   range_->setVisible(moves || isChosen);
 }
 

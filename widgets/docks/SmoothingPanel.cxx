@@ -306,7 +306,7 @@ void SmoothingPanel::startSweep(bool afterTheLast) {
 void SmoothingPanel::startThumbnails() {
   const Theme& theme = Theme::current();
   ThumbnailStyle style{
-      QSize(ThumbnailStrip::side * 3 / 4, ThumbnailStrip::side) * devicePixelRatioF(), {}, {}, theme.skin};
+      QSize(ThumbnailStrip::side * 3 / 4, ThumbnailStrip::side) * devicePixelRatioF(), {}, {}, theme.skin, {}, 0.0};
   style.frame(subject_.face);
   pictures_->start(
       [this, subject = subject_, style](const BackgroundTask::Progress& goOn) -> std::function<void()> {
@@ -331,7 +331,8 @@ Figure SmoothingPanel::sweepFigureOfAll() const {
 /// An axis that ends behind the breakdowns goes on to the face that is shown.
 void SmoothingPanel::reachPresent(Chart& panel) const {
   const double a = model_->state().surface.smoothing.front();
-  if (panel.x.end) panel.x.end = std::max(*panel.x.end, std::min(a, *std::max_element(values_.begin(), values_.end())));
+  const double last = *std::max_element(values_.begin(), values_.end());
+  if (panel.x.end && a > *panel.x.end) panel.x.end = a < last ? std::optional<double>(a) : std::nullopt;
 }
 
 void SmoothingPanel::showFigure() {
@@ -347,8 +348,7 @@ void SmoothingPanel::showFigure() {
   Figure shown;
   shown.panels = {all.panels[measure_->currentIndex()]};
   reachPresent(shown.panels.front());
-  shown.panels.front().y.title.clear();  // the list above says it
-  shown.panels.front().y.unit.clear();
+  shown.panels.front().x.title = sweepAxisTitle(shown.panels.front());
   figure_->setFigure(shown);
 }
 

@@ -37,6 +37,21 @@ QString droppedFile(const QMimeData* data) {
   return {};
 }
 
+/// A picture below its name.
+QWidget* named(const QString& name, QWidget* picture, QWidget* parent) {
+  auto* box = new QWidget(parent);
+  auto* label = new QLabel(name, box);
+  label->setObjectName(picture->objectName() + "Name");
+  label->setProperty("faint", true);
+  label->setMinimumWidth(1);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addWidget(label);
+  column->addWidget(picture, 1);
+  return box;
+}
+
 }  // namespace
 
 TexturePanel::TexturePanel(FaceModel* model, FaceView* view, QWidget* parent)
@@ -69,7 +84,8 @@ TexturePanel::TexturePanel(FaceModel* model, FaceView* view, QWidget* parent)
   controls_ = controls();
   column->addWidget(controls_);
   pages_->addWidget(emptyState());
-  pages_->addWidget(new FlipBox(mesh_, warped_, 3, 2, pages_));
+  pages_->addWidget(new FlipBox(named(tr("Photograph"), mesh_, pages_),
+                                named(tr("Texture, as the face wears it"), warped_, pages_), 3, 2, pages_));
   column->addWidget(pages_, 1);
   column->addWidget(statusRow());
   connectControls();

@@ -12,8 +12,9 @@ namespace mien {
 namespace {
 
 constexpr int levels = 3;
-constexpr double lowest = 3.6, step = 4.8,
-                 room = 2.4;                        // pt: of the markers' middles above the plot, and above the last
+constexpr double lowest = 2.4, step = 4.8,
+                 room =
+                     2.4;  // pt: of the markers' middles above the plot, on whose edge the lowest stand; above the last
 constexpr double apart = 5.2;                       // pt, between markers at one height
 constexpr double stemDepth = 2.0, stemWidth = 0.5;  // pt
 
@@ -32,6 +33,9 @@ void BreakdownFlags::paint(QPainter& painter, const QRectF& plot, const AxisScal
     if (chart_.series[i].breakdown)
       flags.emplace_back(plot.left() + x.fraction(*chart_.series[i].breakdown) * plot.width(), i);
   std::sort(flags.begin(), flags.end());
+  painter.setPen(QPen(theme_.grid, figureUnitsFromPoints(theme_.axisWidth)));
+  if (!flags.empty()) painter.drawLine(plot.topLeft(), plot.topRight());
+  const double depth = flags.size() == 1 ? plot.height() : figureUnitsFromPoints(stemDepth);
   std::array<double, levels> ends;
   ends.fill(-1e9);
   for (const auto& [at, series] : flags) {
@@ -43,8 +47,10 @@ void BreakdownFlags::paint(QPainter& painter, const QRectF& plot, const AxisScal
     const SeriesStyle style(theme_, ChartPainter::styleOf(chart_, series));
     const QPointF middle(at,
                          plot.top() - figureUnitsFromPoints(lowest + step * static_cast<double>(level - ends.begin())));
-    painter.setPen(QPen(style.color(), figureUnitsFromPoints(stemWidth)));
-    painter.drawLine(middle, QPointF(at, plot.top() + figureUnitsFromPoints(stemDepth)));
+    QPen stem(style.color(), figureUnitsFromPoints(stemWidth));
+    if (flags.size() == 1) stem.setDashPattern({1.0, 4.0});
+    painter.setPen(stem);
+    painter.drawLine(middle, QPointF(at, plot.top() + depth));
     style.drawMarker(painter, middle);
   }
 }

@@ -10,8 +10,8 @@ class QPainter;
 
 namespace mien {
 
-/// Where series of a chart break down: the marker of each stands above the plot, on a stem at its x. Neighbours stand
-/// at different heights, so that none hides another.
+/// Where series of a chart break down: the marker of each stands on the plot's upper edge, on a stem at its x that
+/// goes down to the axis where it is alone. Neighbours stand at different heights, so that none hides another.
 class BreakdownFlags {
  public:
   BreakdownFlags(const Chart& chart, const FigureTheme& theme) : chart_(chart), theme_(theme) {}

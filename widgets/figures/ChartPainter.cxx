@@ -7,6 +7,7 @@
 
 #include "BreakdownFlags.h"
 #include "LineClip.h"
+#include "OffScaleMarks.h"
 #include "SeriesStyle.h"
 #include "TextLines.h"
 
@@ -103,6 +104,11 @@ QString ChartPainter::heading() const {
   return label_.isEmpty() ? title : label_ + ' ' + title;
 }
 
+QStringList ChartPainter::xTitleLines(double cellWidth) const {
+  const QString title = QString::fromStdString(titleWithUnit(chart_.x));
+  return title.isEmpty() ? QStringList() : textLines(figureFont(numberSize), title, cellWidth);
+}
+
 double ChartPainter::categoryWidth() const {
   double width = 0.0;
   for (const std::string& name : chart_.x.categories)
@@ -182,7 +188,7 @@ ChartPainter::Margins ChartPainter::margins(double cellWidth, double plotHeight)
     margins.left = std::max(margins.left, textWidth(font, QString::fromStdString(tick.text)));
   margins.left += figureUnitsFromPoints(tickLength + tickGap);
   const double plotWidth = cellWidth - margins.left - figureUnitsFromPoints(2.0 * tickGap);
-  margins.bottom = numberDepth(plotWidth) + (chart_.x.title.empty() ? 0.0 : lineHeight(font));
+  margins.bottom = numberDepth(plotWidth) + xTitleLines(cellWidth).size() * lineHeight(font);
   margins.right = figureUnitsFromPoints(2.0 * tickGap) + overhang(plotWidth);
   return margins;
 }
@@ -256,10 +262,12 @@ void ChartPainter::paintXAxis(QPainter& painter) const {
     painter.setPen(theme_.text);
     if (!text.isEmpty()) paintCategory(painter, x, text);
   }
-  const QString title = QString::fromStdString(titleWithUnit(chart_.x));
-  const double x = plot_.center().x() - 0.5 * textWidth(font, title);
-  if (!title.isEmpty())
-    painter.drawText(QPointF(x, plot_.bottom() + numberDepth(plot_.width()) + 0.9 * font.pixelSize()), title);
+  double y = plot_.bottom() + numberDepth(plot_.width()) + 0.9 * font.pixelSize();
+  for (const QString& line : xTitleLines(cell_.width())) {
+    const double width = textWidth(font, line), most = std::max(cell_.left(), cell_.right() - width);
+    painter.drawText(QPointF(std::clamp(plot_.center().x() - 0.5 * width, cell_.left(), most), y), line);
+    y += lineHeight(font);
+  }
 }
 
 void ChartPainter::paintCategory(QPainter& painter, double x, const QString& text) const {
@@ -327,6 +335,7 @@ void ChartPainter::paintLine(QPainter& painter, size_t index) const {
   for (const QPolygonF& line : unbrokenLines(series)) {
     painter.setPen(style.linePen());
     for (const QPolygonF& part : clippedLine(line, sound)) painter.drawPolyline(part);
+    if (chart_.y.end) OffScaleMarks::paint(painter, line, plot_, style.color());
     if (!series.breakdown) continue;
     painter.setPen(style.linePen(brokenWidth));
     for (const QPolygonF& part : clippedLine(line, QRectF(sound.topRight(), plot_.bottomRight()) & plot_))

@@ -43,6 +43,7 @@ class ChartPainter {
 
  private:
   QString heading() const;
+  QStringList xTitleLines(double cellWidth) const;
   std::vector<AxisTick> xTicks(double plotWidth) const;
   std::vector<AxisTick> yTicks(double plotHeight) const;
   bool namesFit(double plotWidth, size_t step) const;

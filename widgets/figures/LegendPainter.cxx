@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "ChartPainter.h"
+#include "OffScaleMarks.h"
 #include "SeriesStyle.h"
 #include "TextLines.h"
 
@@ -42,6 +43,8 @@ void LegendPainter::collect(const Figure& figure) {
   for (const Chart& chart : figure.panels)
     for (const ChartSeries& series : chart.series)
       if (series.breakdown) add(Entry::Kind::Breakdown, "breaks down here", 0);
+  for (const Chart& chart : figure.panels)
+    if (OffScaleMarks::areNeeded(chart)) add(Entry::Kind::OffScale, "off scale", 0);
 }
 
 void LegendPainter::add(Entry::Kind kind, const std::string& name, int style) {
@@ -106,6 +109,9 @@ void LegendPainter::paintSymbol(QPainter& painter, const Entry& entry, const QPo
       painter.drawLine(middle, middle + QPointF(0.0, figureUnitsFromPoints(4.0)));
       painter.setBrush(theme_.axis);
       painter.drawEllipse(middle, figureUnitsFromPoints(1.6), figureUnitsFromPoints(1.6));
+      break;
+    case Entry::Kind::OffScale:
+      OffScaleMarks::paintOne(painter, middle - QPointF(0.0, figureUnitsFromPoints(2.0)), theme_.axis);
       break;
   }
 }

@@ -19,7 +19,7 @@ class LegendPainter {
 
  private:
   struct Entry {
-    enum class Kind { Line, Bar, Mark, Breakdown };
+    enum class Kind { Line, Bar, Mark, Breakdown, OffScale };
     Kind kind;
     QString name;
     int style;

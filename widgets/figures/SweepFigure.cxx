@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "AxisScale.h"
+#include "OffScaleMarks.h"
 #include "SchemeStyle.h"
 
 namespace mien {
@@ -134,11 +135,17 @@ Chart chartOf(const std::vector<SweepRecord>& records, const std::map<std::strin
 }
 
 bool leavesPanels(const Figure& figure) {
-  for (const Chart& chart : figure.panels)
-    for (const ChartSeries& series : chart.series)
-      for (const double value : series.y)
-        if (std::isfinite(value) && value > *chart.y.end) return true;
-  return false;
+  return std::any_of(figure.panels.begin(), figure.panels.end(), OffScaleMarks::areNeeded);
+}
+
+/// With two digits: "6.3", "8".
+std::string roundedText(double value) {
+  const double step = std::pow(10.0, std::floor(std::log10(value)) - 1.0), rounded = std::round(value / step) * step;
+  return tickText(rounded, rounded == std::round(rounded) ? 1.0 : step);
+}
+
+std::string noFace(const Chart& chart) {
+  return chart.series.size() == 1 ? "the surface is no face" : "no scheme's surface is a face";
 }
 
 /// Which schemes have no surface from some a on: "The curves of four-curve end where ..".
@@ -158,6 +165,11 @@ std::string earlyEnds(const std::vector<SweepRecord>& records) {
 
 }  // namespace
 
+std::string sweepAxisTitle(const Chart& panel) {
+  if (!panel.x.end) return panel.x.title;
+  return panel.x.title + " (beyond " + roundedText(*panel.x.end) + " " + noFace(panel) + ": off scale)";
+}
+
 Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns,
                    double reference) {
   Figure figure;
@@ -176,8 +188,9 @@ Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::
         " The markers above a plot stand where a scheme's surface ceases to be a face: it leaves the box of its "
         "curves by more than 3 %, or more than 0.5 % of its front is turned over; beyond, its curve is thin.";
   if (!figure.panels.empty() && figure.panels.front().x.end)
-    figure.caption += " The axes of a end at twice the last of these.";
-  if (leavesPanels(figure)) figure.caption += " Curves that leave a panel exceed its scale.";
+    figure.caption += " The axes of a end at " + roundedText(*figure.panels.front().x.end) +
+                      ", twice the last of these: beyond, " + noFace(figure.panels.front()) + ".";
+  if (leavesPanels(figure)) figure.caption += " Triangles at the top of a panel stand where a curve leaves its scale.";
   const std::string ends = earlyEnds(records);
   if (!ends.empty()) figure.caption += " " + ends;
   return figure;

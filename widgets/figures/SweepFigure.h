@@ -14,4 +14,8 @@ namespace mien {
 Figure sweepFigure(const std::vector<SweepRecord>& records, const std::map<std::string, double>& breakdowns,
                    double reference);
 
+/// The title of a panel's axis of a, which says why the axis ends before the data where it does: for a panel that
+/// stands without the caption.
+std::string sweepAxisTitle(const Chart& panel);
+
 }  // namespace mien

@@ -30,12 +30,14 @@ using json = nlohmann::json;
 
 constexpr const char* kindNames[] = {"none", "state", "scheme", "mesh"};
 
-/// First, so that they stay where words have no room.
+/// In mm with hundredths, of large distances with what four digits hold.
+QString distanceNumber(double distance) {
+  return QString::number(distance, 'f', distance < 100.0 ? 2 : distance < 1000.0 ? 1 : 0);
+}
+
 QString numbersText(const DistanceSummary& summary) {
   return Comparison::tr("RMS %1, 95 % \u2264 %2, max %3 mm")
-      .arg(summary.rms, 0, 'f', 2)
-      .arg(summary.percentile95, 0, 'f', 2)
-      .arg(summary.maximum, 0, 'f', 2);
+      .arg(distanceNumber(summary.rms), distanceNumber(summary.percentile95), distanceNumber(summary.maximum));
 }
 
 /// Copies a surface and gives it an array under another name.
@@ -106,14 +108,19 @@ vtkPolyData* Comparison::surface(Side side) const {
 }
 
 QString Comparison::name() const {
-  return kind_ == Kind::Scheme ? scheme_ : kind_ == Kind::Mesh ? QFileInfo(file_).fileName() : words_;
+  return kind_ == Kind::Scheme ? inScheme(scheme_) : kind_ == Kind::Mesh ? QFileInfo(file_).fileName() : words_;
 }
 
 QString Comparison::nameOfA() const {
+  if (kind_ == Kind::Scheme) return inScheme(QString::fromStdString(model_->state().surface.scheme));
   const std::string words = model_->motionText();
-  const QString motion = words.empty() ? tr("the neutral face") : QString::fromStdString(words);
-  return kind_ == Kind::Scheme ? tr("%1, %2").arg(QString::fromStdString(model_->state().surface.scheme), motion)
-                               : motion;
+  return words.empty() ? tr("the neutral face") : QString::fromStdString(words);
+}
+
+/// Both faces stand as A does.
+QString Comparison::inScheme(const QString& scheme) const {
+  const std::string words = model_->motionText();
+  return tr("%1, %2").arg(scheme, words.empty() ? tr("neutral") : QString::fromStdString(words));
 }
 
 bool Comparison::corresponds() const {
@@ -132,12 +139,11 @@ QString Comparison::summary(Side side) const {
   if (!distances_) return {};
   const int index = static_cast<int>(side);
   const DistanceSummary& summary = distances_->summaries[index];
-  const QString numbers = numbersText(summary);
-  if (corresponds()) return numbers + (side == Side::A ? tr(", point to point, by area of A") : tr(", by area of B"));
-  const QString text = numbers + (side == Side::A ? tr(", A to B") : tr(", B to A"));
-  if (!leavesOut()) return text;
-  const vtkIdType all = distances_->surfaces[index]->GetNumberOfPoints();
-  return text + tr(", %1 % opposite").arg(100.0 * summary.points / std::max<vtkIdType>(1, all), 0, 'f', 0);
+  const vtkIdType all = std::max<vtkIdType>(1, distances_->surfaces[index]->GetNumberOfPoints());
+  QString what = side == Side::A ? tr("A to B") : tr("B to A");
+  if (corresponds()) what = side == Side::A ? tr("Point to point, by area of A") : tr("Point to point, by area of B");
+  if (leavesOut()) what += tr(", %1 % opposite").arg(100.0 * summary.points / all, 0, 'f', 0);
+  return tr("%1: %2").arg(what, numbersText(summary));
 }
 
 void Comparison::take(Kind kind) {

@@ -41,7 +41,7 @@ class Comparison : public QObject, public SessionPart {
   void clear();
 
   Kind kind() const { return kind_; }
-  QString name() const;     ///< of B, in words
+  QString name() const;     ///< of B, in words: a scheme with what moves it
   QString nameOfA() const;  ///< what moves A; and its scheme, where B has another
   QString scheme() const { return scheme_; }
   bool canSwap() const { return kind_ == Kind::State || kind_ == Kind::Scheme; }
@@ -52,8 +52,8 @@ class Comparison : public QObject, public SessionPart {
   vtkPolyData* drawn(Side side) const;    ///< the same, but what its summary leaves out has no number
   bool corresponds() const;               ///< whether it was measured from each point to its counterpart
   bool leavesOut() const;                 ///< whether it is of what lies opposite the other alone
-  QString summary(Side side) const;       ///< RMS, 95 % and largest from that side to the other, in words; to a
-                                          ///< mesh of what lies opposite, and how much that is
+  QString summary(Side side) const;       ///< "A to B, 98 % opposite: RMS .., 95 % .., max .. mm": from that side to
+                                          ///< the other; to a mesh of what lies opposite, and how much that is
 
   /// {"kind": "none" | "state" | "scheme" | "mesh", "state": {..}, "scheme": "..", "file": ".."}, with the FaceState as
   /// FaceStateText writes it.
@@ -69,6 +69,7 @@ class Comparison : public QObject, public SessionPart {
   struct Distances;
   using Surfaces = std::array<vtkSmartPointer<vtkPolyData>, 2>;
 
+  QString inScheme(const QString& scheme) const;
   void take(Kind kind);
   void follow();
   void measure();

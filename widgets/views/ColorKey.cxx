@@ -15,13 +15,17 @@ namespace {
 constexpr int keySide = 12, keyGap = 12, keyBarHeight = 9, keyAbove = 6, keyTick = 3, keyBelow = 4;  // pixels
 constexpr int leastBar = 80, swatch = 14, swatchGap = 5;
 constexpr int stops = 32;
-constexpr double pointed = 8.0;  // pixels, length of an end beyond which there are values
+constexpr int pointed = 8;  // pixels, length of an end beyond which there are values
 
 QString patchText(int patch) {
   const int first = FaceLayout::firstCurve[patch], last = first + FaceLayout::curvesPerPatch - 1;
   return ColorKey::tr("P%1: %2 to %3")
       .arg(patch)
       .arg(QString::fromStdString(FaceLayout::curveName(first)), QString::fromStdString(FaceLayout::curveName(last)));
+}
+
+QString keyNumber(double value) {
+  return QString::number(value, 'g', 3);
 }
 
 /// The unit stays, whatever else has no room.
@@ -96,15 +100,34 @@ int ColorKey::paintUnknown(QPainter& painter, int most) const {
   return before + metrics.horizontalAdvance(text);
 }
 
+/// Of a number that stands under an end of the bar.
+int ColorKey::halfWidth(double number) const {
+  return fontMetrics().horizontalAdvance(keyNumber(number)) / 2;
+}
+
+/// Beside the bar.
+int ColorKey::roomForWords() const {
+  return std::max(0, width() - 2 * keySide - keyGap - leastBar - behindBar());
+}
+
+int ColorKey::behindBar() const {
+  return std::max<int>(halfWidth(scale_.end), pointed);
+}
+
+/// Beside the bar alone, whose numbers stand lower.
+QString ColorKey::shownTitle() const {
+  return shortened(scale_.title, fontMetrics(), roomForWords() - (scale_.undercut ? pointed : 0));
+}
+
 void ColorKey::paintScale(QPainter& painter) const {
   const Theme& theme = Theme::current();
   const QFontMetrics metrics = fontMetrics();
-  const int room = metrics.horizontalAdvance("-0.0005") / 2;  // numbers stand under the ends of the bar
-  const int most = std::max(0, width() - 2 * keySide - keyGap - leastBar - 2 * room);
-  const QString title = shortened(scale_.title, metrics, most);
-  const int words = std::max(metrics.horizontalAdvance(title), paintUnknown(painter, most));
-  const int left = keySide + words + keyGap + room;
-  const QRectF bar(left, keyAbove, std::max(leastBar, width() - keySide - room - left), keyBarHeight);
+  const QString title = shownTitle();
+  const int titleWidth = metrics.horizontalAdvance(title) + (scale_.undercut ? pointed : 0);
+  const int before = halfWidth(scale_.begin), behind = behindBar();
+  const int words = std::max(titleWidth, paintUnknown(painter, roomForWords() - before) + before);
+  const int left = keySide + words + keyGap;
+  const QRectF bar(left, keyAbove, std::max(leastBar, width() - keySide - behind - left), keyBarHeight);
   QLinearGradient colors(bar.topLeft(), bar.topRight());
   for (int i = 0; i <= stops; ++i)
     colors.setColorAt(i / double(stops), ColorLegend::colorAt(scale_.colors, i / double(stops)));
@@ -120,7 +143,7 @@ void ColorKey::paintScale(QPainter& painter) const {
   painter.drawText(QPointF(keySide, keyAbove + keyBarHeight / 2.0 + metrics.ascent() / 2.0 - 1.0), title);
   for (double share : {0.0, 0.5, 1.0}) {
     const double x = bar.left() + share * bar.width();
-    const QString text = QString::number(scale_.begin + share * (scale_.end - scale_.begin), 'g', 3);
+    const QString text = keyNumber(scale_.begin + share * (scale_.end - scale_.begin));
     painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + keyTick));
     painter.drawText(QPointF(x - metrics.horizontalAdvance(text) / 2.0, bar.bottom() + keyTick + metrics.ascent()),
                      text);

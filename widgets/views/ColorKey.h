@@ -20,6 +20,8 @@ class ColorKey : public QWidget {
   void showWords(const QString& words);
   void clear();
 
+  QString shownTitle() const;  ///< of a scale, as far as there is room for it
+
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -29,6 +31,9 @@ class ColorKey : public QWidget {
  private:
   void paintScale(QPainter& painter) const;
   int paintUnknown(QPainter& painter, int most) const;
+  int halfWidth(double number) const;
+  int behindBar() const;
+  int roomForWords() const;
   void paintPatches(QPainter& painter) const;
   void paintWords(QPainter& painter) const;
 

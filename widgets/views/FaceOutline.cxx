@@ -5,6 +5,7 @@
 #include <vtkPolyData.h>
 
 #include <cmath>
+#include <functional>
 
 #include "FaceModel.h"
 #include "MotionReach.h"
@@ -31,6 +32,28 @@ void addSeen(const ViewAxes& axes, const double point[3], const FaceOutline& mid
   }
 }
 
+using Choice = std::function<bool(const double*)>;
+
+SeenPoints furthestOf(vtkPolyData* mesh, const Choice& counts) {
+  const ViewAxes views[] = {ViewAxes(0.0), ViewAxes(45.0), ViewAxes(90.0)};
+  std::vector<const double*> directions = {views[0].up};
+  for (const ViewAxes& view : views) directions.push_back(view.right);
+  SeenPoints points(2 * directions.size());
+  std::vector<double> reach(points.size(), -1e300);
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i) {
+    std::array<double, 3> point;
+    mesh->GetPoint(i, point.data());
+    if (!counts(point.data())) continue;
+    for (size_t d = 0; d < points.size(); ++d) {
+      const double along = (d % 2 == 0 ? 1.0 : -1.0) * vtkMath::Dot(directions[d / 2], point.data());
+      if (along <= reach[d]) continue;
+      reach[d] = along;
+      points[d] = point;
+    }
+  }
+  return reach[0] > -1e300 ? points : SeenPoints();
+}
+
 }  // namespace
 
 ViewAxes::ViewAxes(double degrees) {
@@ -41,21 +64,35 @@ ViewAxes::ViewAxes(double degrees) {
   right[2] = -out[0];
 }
 
-void FaceOutline::add(const ViewAxes& axes, const double point[3]) {
-  add(0, vtkMath::Dot(axes.right, point));
-  add(1, vtkMath::Dot(axes.up, point));
+void FaceOutline::add(const ViewAxes& axes, const double point[3], double room) {
+  for (const double aside : {-room, room}) {
+    add(0, vtkMath::Dot(axes.right, point) + aside);
+    add(1, vtkMath::Dot(axes.up, point) + aside);
+  }
   add(2, vtkMath::Dot(axes.out, point));
 }
 
-void FaceOutline::add(const ViewAxes& axes, const std::array<double, 6>& box) {
-  for (int corner = 0; corner < 8; ++corner) {
-    double point[3];
+SeenPoints cornersAround(const double* bounds) {
+  SeenPoints corners(8);
+  for (int corner = 0; corner < 8; ++corner)
     for (int i = 0; i < 3; ++i) {
-      const double room = thinMargin * (box[2 * i + 1] - box[2 * i]);
-      point[i] = corner >> i & 1 ? box[2 * i + 1] + room : box[2 * i] - room;
+      const double room = thinMargin * (bounds[2 * i + 1] - bounds[2 * i]);
+      corners[corner][i] = corner >> i & 1 ? bounds[2 * i + 1] + room : bounds[2 * i] - room;
     }
-    add(axes, point);
-  }
+  return corners;
+}
+
+SeenPoints furthestPoints(vtkPolyData* mesh) {
+  return furthestOf(mesh, [](const double*) { return true; });
+}
+
+SeenPoints furthestOfHead(vtkPolyData* mesh, const FaceModel& model) {
+  const FaceOutline face = restingOutline(ViewAxes(0.0), model);
+  return furthestOf(mesh, [&](const double* point) {
+    const double aside = std::abs(point[0] - face.middle(0)) - 0.5 * face.size(0);
+    return point[1] >= face.low[1] && point[1] <= face.high[1] + mostReach * face.size(1) &&
+           aside <= mostReach * face.size(0);
+  });
 }
 
 FaceOutline restingOutline(const ViewAxes& axes, const FaceModel& model) {

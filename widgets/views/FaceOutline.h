@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
+
+class vtkPolyData;
 
 namespace mien {
 
 class FaceModel;
+
+using SeenPoints = std::vector<std::array<double, 3>>;  ///< mm
 
 /// Of a camera that looks at the face from one side: 0 degrees from the front, 90 at the subject's left.
 struct ViewAxes {
@@ -22,12 +27,20 @@ struct FaceOutline {
     low[axis] = std::min(low[axis], at);
     high[axis] = std::max(high[axis], at);
   }
-  void add(const ViewAxes& axes, const double point[3]);
-  void add(const ViewAxes& axes, const std::array<double, 6>& box);  ///< with a little room around it
+  void add(const ViewAxes& axes, const double point[3], double room = 0.0);  ///< with room around it in the view
 
   double size(int axis) const { return high[axis] - low[axis]; }
   double middle(int axis) const { return 0.5 * (low[axis] + high[axis]); }
 };
+
+/// The corners of a box, x, y, z from and to, with a little room around it.
+SeenPoints cornersAround(const double* bounds);
+
+/// The points of a mesh that reach furthest up, down and to both sides in the views from the front, 45 degrees and the
+/// side; of a head, where the face lies in its place, above the chin alone and no further from the face than a head
+/// reaches.
+SeenPoints furthestPoints(vtkPolyData* mesh);
+SeenPoints furthestOfHead(vtkPolyData* mesh, const FaceModel& model);
 
 /// Of the neutral curves alone.
 FaceOutline restingOutline(const ViewAxes& axes, const FaceModel& model);

@@ -10,7 +10,8 @@ namespace mien {
 namespace {
 
 constexpr int oversampling = 2;  // pixels of the drawing per pixel of the picture, for smooth edges
-constexpr double thumbnailMargin = 1.06;
+constexpr double thumbnailMargin = 1.1;
+constexpr double farAway = 4.0;  // of the face's height: a portrait lens, as in the views
 
 /// Triangles with a depth and a light at each corner, nearest ones in front.
 class DepthPainter {
@@ -75,22 +76,36 @@ double lightOn(const SurfaceJet& jet) {
 }  // namespace
 
 void ThumbnailStyle::frame(const FaceCurves& face) {
-  low = face.curves.points.leftCols<2>().colwise().minCoeff();
-  high = face.curves.points.leftCols<2>().colwise().maxCoeff();
+  const auto& points = face.curves.points;
+  const Eigen::Vector3d least = points.colwise().minCoeff(), most = points.colwise().maxCoeff();
+  middle = 0.5 * (least + most);
+  distance = farAway * (most.y() - least.y());
+  low = high = seen(middle);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Eigen::Vector2d place = seen(points.row(i).transpose());
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+}
+
+/// A surface that is no face may come as near as it likes.
+Eigen::Vector2d ThumbnailStyle::seen(const Eigen::Vector3d& point) const {
+  const double nearer = std::min(point.z() - middle.z(), 0.5 * distance);
+  return middle.head<2>() + distance / (distance - nearer) * (point - middle).head<2>();
 }
 
 QImage faceThumbnail(const FaceSample& sample, const ThumbnailStyle& style) {
   const QSize drawn = style.size * oversampling;
   DepthPainter painter(drawn, style.skin);
-  const Eigen::Vector2d extent = thumbnailMargin * (style.high - style.low), middle = 0.5 * (style.low + style.high);
+  const Eigen::Vector2d extent = thumbnailMargin * (style.high - style.low), centre = 0.5 * (style.low + style.high);
   const double scale = std::min(drawn.width() / extent.x(), drawn.height() / extent.y());
   const int columns = sample.columnCount();
   std::vector<DepthPainter::Corner> corners;
   for (int row = 0; row < sample.rowCount(); ++row)
     for (int column = 0; column < columns; ++column) {
       const SurfaceJet jet = sample.jet(row, column);
-      corners.push_back({0.5 * drawn.width() + scale * (jet.s.x() - middle.x()),
-                         0.5 * drawn.height() - scale * (jet.s.y() - middle.y()), jet.s.z(), lightOn(jet)});
+      const Eigen::Vector2d at = scale * (style.seen(jet.s) - centre);
+      corners.push_back({0.5 * drawn.width() + at.x(), 0.5 * drawn.height() - at.y(), jet.s.z(), lightOn(jet)});
     }
   for (int patch = 0; patch < FaceLayout::patchCount; ++patch)
     for (int row = sample.firstRow(patch); row + 1 < sample.firstRow(patch + 1); ++row)

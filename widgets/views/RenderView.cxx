@@ -148,8 +148,12 @@ void RenderView::placeCamera(const std::array<double, 3>& focus, const std::arra
 }
 
 void RenderView::setCompany(const double* bounds) {
-  company_.reset();
-  if (bounds) std::copy_n(bounds, 6, company_.emplace().begin());
+  setCompany(bounds ? cornersAround(bounds) : SeenPoints(), 0);
+}
+
+void RenderView::setCompany(const std::vector<std::array<double, 3>>& points, int margin) {
+  company_ = points;
+  companyMargin_ = margin;
 }
 
 bool RenderView::hasTwin() const {
@@ -157,12 +161,15 @@ bool RenderView::hasTwin() const {
 }
 
 /// Twins show all of it in the smaller of them.
-double RenderView::distanceTo(double width, double height) const {
+double RenderView::millimetresPerPixel(double width, double height) const {
   const auto perPixel = [&](const RenderView& view) {
     return std::max(width / std::max(1, view.width()), height / std::max(1, view.height()));
   };
-  const double millimetres = hasTwin() ? std::max(perPixel(*this), perPixel(*twin_)) : perPixel(*this);
-  return 0.5 * millimetres * std::max(1, this->height()) / std::tan(viewAngle * M_PI / 360.0);
+  return hasTwin() ? std::max(perPixel(*this), perPixel(*twin_)) : perPixel(*this);
+}
+
+double RenderView::distanceTo(double width, double height) const {
+  return 0.5 * millimetresPerPixel(width, height) * std::max(1, this->height()) / std::tan(viewAngle * M_PI / 360.0);
 }
 
 const RenderView& RenderView::leader() const {
@@ -184,6 +191,20 @@ double RenderView::fittingDistance() const {
   return distanceTo(right - left, high - low);
 }
 
+/// Its margin makes the picture of all the rest smaller, and pixels larger: once more is near enough.
+void RenderView::addCompany(const ViewAxes& axes, FaceOutline& outline) const {
+  const RenderView& lead = leader();
+  FaceOutline all = outline;
+  for (int round = 0; round < 2; ++round) {
+    const double pixel = millimetresPerPixel(all.size(0), all.size(1));
+    all = outline;
+    for (const RenderView* view : std::initializer_list<const RenderView*>{&lead, lead.twin_})
+      for (const auto& point : view ? view->company_ : SeenPoints())
+        all.add(axes, point.data(), view->companyMargin_ * pixel);
+  }
+  outline = all;
+}
+
 /// In depth the camera keeps to the face, whatever is shown with it. Linked views are of one scale, whatever each
 /// shows.
 void RenderView::placeCamera() {
@@ -194,8 +215,7 @@ void RenderView::placeCamera() {
   const auto [left, right, low, high] = fittingBox();
   outline.add(0, left), outline.add(0, right);
   outline.add(1, low), outline.add(1, high);
-  for (const RenderView* view : std::initializer_list<const RenderView*>{&lead, lead.twin_})
-    if (view && view->company_) outline.add(axes, *view->company_);
+  addCompany(axes, outline);
   const double distance = distanceTo(outline.size(0), outline.size(1));
   double focus[3], position[3];
   for (int i = 0; i < 3; ++i) {

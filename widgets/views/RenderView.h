@@ -6,7 +6,6 @@
 
 #include <QPointer>
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "SessionPart.h"
@@ -18,6 +17,8 @@ class vtkRenderer;
 namespace mien {
 
 class FaceModel;
+struct FaceOutline;
+struct ViewAxes;
 
 /// A three-dimensional view of the face: light, background, camera and mouse. What is in it, its subclasses say.
 ///
@@ -40,6 +41,9 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   /// What else the camera takes in the next time it is placed, and that of its twin; nullptr: the face alone.
   /// @param bounds  x, y, z from and to, in mm
   void setCompany(const double* bounds);
+
+  /// The same for some points (mm), of which each stays that many pixels within the view; none: the face alone.
+  void setCompany(const std::vector<std::array<double, 3>>& points, int margin);
 
   /// What linked views of different sizes have in common.
   enum class Zoom {
@@ -83,6 +87,8 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   std::array<double, 4> fittingBox() const;  ///< left, right, low, high of the whole face, mm
   double fittingDistance() const;            ///< from which the whole face fills this view
   double distanceTo(double width, double height) const;
+  double millimetresPerPixel(double width, double height) const;
+  void addCompany(const ViewAxes& axes, FaceOutline& outline) const;
   bool hasTwin() const;
   void takeCamera(const RenderView* other);
   void forget(const RenderView* other);
@@ -94,7 +100,8 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   std::vector<QPointer<RenderView>> partners_;  ///< a tree: no view is reached in two ways
   QPointer<RenderView> leader_;                 ///< that this was linked with
   QPointer<RenderView> twin_;                   ///< linked to scale
-  std::optional<std::array<double, 6>> company_;
+  std::vector<std::array<double, 3>> company_;
+  int companyMargin_ = 0;  ///< pixels
   Side side_ = Side::Front;
   bool moved_ = false, outdated_ = true;
 };

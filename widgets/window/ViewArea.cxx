@@ -15,14 +15,15 @@
 #include "ColoringBar.h"
 #include "Comparison.h"
 #include "ComparisonBar.h"
+#include "ComparisonSummary.h"
 #include "CurveKeyBar.h"
 #include "CurveOverlay.h"
 #include "CurveView.h"
 #include "DifferenceArrows.h"
-#include "ElidedLabel.h"
 #include "Exporter.h"
 #include "FaceColoring.h"
 #include "FaceModel.h"
+#include "FaceOutline.h"
 #include "FaceStateText.h"
 #include "KeyStrip.h"
 #include "PointNumbers.h"
@@ -36,6 +37,7 @@ namespace {
 constexpr int manyPixels = 1000;       // a share of a splitter, not pixels
 constexpr int roomForThree = 1300;     // pixels
 constexpr int summaryMargin = 12;      // pixels
+constexpr int aroundMesh = 12;         // pixels between the edges of a view and a mesh that is compared
 constexpr double longestArrow = 20.0;  // mm to a nearest point: beyond, the other has no counterpart, as a neck
 constexpr double arrowFactors[] = {0.0, 1.0, 2.0, 5.0, 10.0};
 
@@ -179,7 +181,7 @@ void ViewArea::addOther() {
 
 /// Below both, so that both are of one height.
 void ViewArea::addSummary(ViewFrame* frame) {
-  auto* summary = new ElidedLabel(frame);
+  auto* summary = new ComparisonSummary(frame);
   summary->setObjectName(frame == faceFrame_ ? "compareSummaryA" : "compareSummaryB");
   summary->setContentsMargins(summaryMargin, 0, summaryMargin, summaryMargin / 2);
   summary->setToolTip(
@@ -188,6 +190,7 @@ void ViewArea::addSummary(ViewFrame* frame) {
          "opposite "
          "the other counts, not a neck, if there is such a share"));
   frame->addBelow(summary);
+  if (!summaries_.empty()) summary->setTwin(summaries_.front());
   summaries_.push_back(summary);
 }
 
@@ -215,22 +218,22 @@ void ViewArea::followComparison() {
   const bool compares = comparison_->kind() != Comparison::Kind::None;
   if (compares && !other_) addOther();
   if (!compares) faceFrame_->setTitle(tr("Face"));
-  if (compares) {
-    otherFrame_->setTitle(tr("B: %1").arg(comparison_->name()));
-    swap_->setEnabled(comparison_->canSwap());
-  }
+  if (compares) swap_->setEnabled(comparison_->canSwap());
   showCurves();
   showDifference();
   arrange();
 }
 
-/// The face of a head is as large as the face beside it can be: its crown and its neck may leave the view. A mesh of
-/// which nothing lies opposite the face is whole, as it may lie anywhere.
+/// Crown and ears of a head stay within the views; its neck and its shoulders, beside which the face would be small,
+/// may leave them. A mesh of which nothing lies opposite the face is whole, as it may lie anywhere.
 void ViewArea::holdMesh() {
-  const bool isAway = comparison_->mesh() && comparison_->surface(Comparison::Side::B) && !comparison_->leavesOut();
-  if (!other_ || isAway == holdsMesh_) return;
-  holdsMesh_ = isAway;
-  other_->setCompany(holdsMesh_ ? comparison_->mesh()->GetBounds() : nullptr);
+  if (!other_) return;
+  vtkPolyData* mesh = comparison_->mesh();
+  const bool isAway = mesh && comparison_->surface(Comparison::Side::B) && !comparison_->leavesOut();
+  const SeenPoints held = isAway ? furthestPoints(mesh) : mesh ? furthestOfHead(mesh, *model_) : SeenPoints();
+  if (held == held_) return;
+  held_ = held;
+  other_->setCompany(held, aroundMesh);
   if (!face_->isMoved()) face_->fit();
   if (!other_->isLinked() && !other_->isMoved()) other_->fit();
 }
@@ -245,11 +248,13 @@ void ViewArea::showCurves() {
 }
 
 void ViewArea::showDifference() {
-  if (comparison_->kind() != Comparison::Kind::None) faceFrame_->setTitle(tr("A: %1").arg(comparison_->nameOfA()));
+  const bool compares = comparison_->kind() != Comparison::Kind::None;
+  if (compares) faceFrame_->setTitle(tr("A: %1").arg(comparison_->nameOfA()));
+  if (compares && otherFrame_) otherFrame_->setTitle(tr("B: %1").arg(comparison_->name()));
   const Comparison::Side sides[] = {Comparison::Side::A, Comparison::Side::B};
   for (size_t i = 0; i < summaries_.size(); ++i) {
-    summaries_[i]->setText(comparison_->summary(sides[i]));
-    summaries_[i]->setVisible(comparison_->kind() != Comparison::Kind::None);
+    summaries_[i]->setSummary(comparison_->summary(sides[i]));
+    summaries_[i]->setVisible(compares);
   }
   const double longest = comparison_->corresponds() ? std::numeric_limits<double>::infinity() : longestArrow;
   for (size_t i = 0; i < arrows_.size(); ++i) arrows_[i]->show(comparison_->drawn(sides[i]), "DistanceVector", longest);

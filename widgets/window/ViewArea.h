@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <vector>
 
 #include "ExportDrawing.h"
@@ -13,12 +14,12 @@ class QToolButton;
 namespace mien {
 
 class Comparison;
+class ComparisonSummary;
 class CurveOverlay;
 class CurveView;
 class DifferenceArrows;
 class FaceColoring;
 class FaceModel;
-class ElidedLabel;
 class Exporter;
 class ViewFrame;
 
@@ -79,13 +80,14 @@ class ViewArea : public QWidget {
   FaceView* other_ = nullptr;
   std::vector<CurveOverlay*> overlays_;
   std::vector<DifferenceArrows*> arrows_;
-  std::vector<ElidedLabel*> summaries_;
+  std::vector<ComparisonSummary*> summaries_;
+  std::vector<std::array<double, 3>> held_;  ///< of the mesh that is compared, by the camera
   Exporter *faceExporter_ = nullptr, *curveExporter_ = nullptr;
   QWidget *faceKey_ = nullptr, *curveKey_ = nullptr;
   QComboBox* mesh_;
   QSplitter* splitter_;
   QToolButton* swap_ = nullptr;
-  bool curvesOn_ = false, namesOn_ = false, holdsMesh_ = false;
+  bool curvesOn_ = false, namesOn_ = false;
 };
 
 }  // namespace mien
