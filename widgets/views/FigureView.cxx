@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "LineClip.h"
 #include "OwnKeys.h"
 #include "ScreenFigure.h"
 #include "TextLines.h"
@@ -143,16 +144,32 @@ void FigureView::paintMarker(QPainter& painter, const ChartPainter& panel) const
   painter.setPen(Qt::NoPen);
   painter.drawPolygon(QPolygonF({tip, tip + QPointF(half, 1.2 * half), tip + QPointF(-half, 1.2 * half)}));
   painter.setPen(color);
-  paintMarkerName(painter, plot, QPointF(x, plot.top() + nameDepth * unitsPerPixel));
+  paintMarkerName(painter, panel, QPointF(x, plot.top() + nameDepth * unitsPerPixel));
 }
 
-/// On the side of the line that has more room, on a ground of its own: lines run below it.
-void FigureView::paintMarkerName(QPainter& painter, const QRectF& plot, const QPointF& beside) const {
+/// How many lines of the panel run through a place.
+int FigureView::linesIn(const ChartPainter& panel, const QRectF& place) const {
+  const size_t index = &panel - painter_->panels().data();
+  const auto& series = figure_.panels[index].series;
+  return std::count_if(series.begin(), series.end(), [&](const ChartSeries& one) {
+    QPolygonF line;
+    for (size_t i = 0; i < std::min(one.x.size(), one.y.size()); ++i)
+      if (std::isfinite(one.y[i])) line << panel.position(one.x[i], one.y[i]);
+    return !clippedLine(line, place).empty();
+  });
+}
+
+/// On the side of the line where fewer lines are, or that has more room, on a ground of its own: lines run below it.
+void FigureView::paintMarkerName(QPainter& painter, const ChartPainter& panel, const QPointF& beside) const {
   if (markerName_.isEmpty()) return;
   const QFont font = figureFont(markerPoints);
   const double gap = 2.0 * handle * unitsPerPixel, width = textWidth(font, markerName_), height = lineHeight(font);
-  const bool right = beside.x() < plot.center().x();
-  const QRectF place(right ? beside.x() + gap : beside.x() - gap - width, beside.y() - 0.5 * height, width, height);
+  const QRectF right(beside.x() + gap, beside.y() - 0.5 * height, width, height);
+  const QRectF left = right.translated(-2.0 * gap - width, 0.0);
+  const bool isLeftRoomier = beside.x() >= panel.plot().center().x();
+  QRectF place = isLeftRoomier ? left : right;
+  const QRectF other = isLeftRoomier ? right : left;
+  if (panel.plot().contains(other) && linesIn(panel, other) < linesIn(panel, place)) place = other;
   painter.fillRect(place, Theme::current().panel);
   painter.setFont(font);
   painter.drawText(place.bottomLeft() - QPointF(0.0, 0.2 * height), markerName_);

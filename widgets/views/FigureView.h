@@ -64,7 +64,8 @@ class FigureView : public QWidget {
   void paintFigure(QPainter& painter);
   void paintBand(QPainter& painter, const ChartPainter& panel) const;
   void paintMarker(QPainter& painter, const ChartPainter& panel) const;
-  void paintMarkerName(QPainter& painter, const QRectF& plot, const QPointF& beside) const;
+  void paintMarkerName(QPainter& painter, const ChartPainter& panel, const QPointF& beside) const;
+  int linesIn(const ChartPainter& panel, const QRectF& place) const;
 
   Figure figure_;
   Marker marker_;
