@@ -248,10 +248,9 @@ TEST_F(TimelinePanel, TheNumberOfTheFrameShownMeansThisFrame) {
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   QByteArray text = file.readAll();
   file.close();
-  for (const char* number : {"\n0 ", "\n1 ", "\n2 "}) {
-    const int at = text.lastIndexOf(number);
-    ASSERT_GE(at, 0);
-    text.replace(at, 3, "\n1000070 ");
+  for (const char* line : {"\n0 0\n", "\n1 20\n", "\n2 40\n"}) {
+    ASSERT_EQ(text.count(line), 1) << line;
+    text.replace(line, QByteArray(line).replace(1, 1, "1000070"));
   }
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   file.write(text);
