@@ -168,7 +168,7 @@ TEST(InfoCommand, TellsWhichKindOfFileAJsonIs) {
   const TemporaryFolder folder;
   writeTextFile(folder.file("study.json"), R"({"mien_study": 1})");
   EXPECT_EQ(infoOf({folder.file("study.json")})["json"]["kind"], "study");
-  for (const char* const text : {"{", "[]", R"({"format": "other"})"}) {
+  for (const char* const text : {"{", "[]", R"({"format": "other", "regions": 1})"}) {
     writeTextFile(folder.file("other.json"), text);
     const Outcome outcome = runMien({"info", folder.file("other.json")});
     EXPECT_EQ(outcome.exitCode, 1) << text;

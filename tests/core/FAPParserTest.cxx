@@ -86,6 +86,9 @@ TEST(FAPParser, CommentsStandBehindTheEntriesOfALineToo) {
   EXPECT_EQ(sequence.frames[0].value(53), 10.0);
   EXPECT_EQ(sequence.frames[0].value(54), -20.0);
   EXPECT_EQ(sequence.name, "take #2");
+  const FAPSequence numbers = parsed("2.1 x 25 1 # takes 3 4\n" + maskText({53}) + "\n0 10\n");
+  EXPECT_EQ(numbers.name, "x");
+  EXPECT_EQ(numbers.framesPerSecond, 25.0);
   EXPECT_TRUE(sequence.warnings.empty());
 }
 

@@ -3,8 +3,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "ColorTable.h"
-#include "LandmarkLines.h"
 #include "MotionTableText.h"
 #include "PicturePlane.h"
 #include "SurfaceContour.h"
@@ -376,32 +374,4 @@ TEST(MotionTable, WritesRoundingAsZeroAndTheRestToTheBit) {
   const std::vector<int> first = {0};
   EXPECT_EQ(mien::motionTableText({{"7", &field, &first}}),
             "frame,u,v,x,y,z,dx,dy,dz,magnitude_mm\n7,,,1.5,1.5,1.5,0,0.5,0,0.5\n");
-}
-
-TEST(LandmarkLines, LieOnTheCurvesBetweenTheFeatures) {
-  const mien::FaceCurves face = SyntheticFace::make();
-  const auto lines = mien::landmarkLines(face);
-  ASSERT_EQ(lines.size(), 5u) << "brows, nose and lips: this face has no corners of eyes";
-  const mien::FeaturePoint *inner = face.feature("4.1"), *outer = face.feature("4.5");
-  EXPECT_LT((lines[0].row(0).transpose() - face.curves.at(inner->curve, inner->v)).norm(), 1e-9);
-  EXPECT_LT((lines[0].bottomRows(1).transpose() - face.curves.at(inner->curve, outer->v)).norm(), 1e-9);
-  EXPECT_TRUE(mien::landmarkLines(mien::FaceCurves()).empty());
-}
-
-TEST(ColorTable, GetsLighterSteadily) {
-  ASSERT_EQ(mien::ColorTable::all().size(), 6u);
-  for (const mien::ColorTable& table : mien::ColorTable::all()) {
-    double before = -1.0;
-    for (double t = 0.0; t <= 1.0; t += 1.0 / 51.0) {
-      const auto color = table.at(t);
-      const double light = 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
-      const bool darkens = table.diverging && t > 0.5;
-      EXPECT_GT(darkens ? before : light, (darkens ? light : before) - 0.004) << table.name << " at " << t;
-      before = light;
-    }
-    EXPECT_EQ(table.at(-1.0), table.at(0.0));
-    EXPECT_EQ(table.at(2.0), table.at(1.0));
-    EXPECT_EQ(mien::ColorTable::find(table.name), &table);
-  }
-  EXPECT_EQ(mien::ColorTable::find("jet"), nullptr);
 }

@@ -77,7 +77,7 @@ TEST(BoundaryCurveReader, CoordinatesThatAreNoNumbersAreRefusedWithCurveAndPoint
   expectFaceRefused([&](mien::FaceCurves& face) { face.curves.curve(mien::FaceLayout::lowerLip)(3, 0) = nothing; },
                     "curve C22', point 3 (counted from 0) is not a finite number");
   expectFaceRefused([&](mien::FaceCurves& face) { face.curves.curve(28)(3, 2) = nothing; },
-                    "curve C28, point 3 is not");
+                    "curve C28, point 3 (counted from 0) is not");
 }
 
 TEST(BoundaryCurveReader, CrossedCurvesAreRefusedWithBothNames) {

@@ -241,6 +241,28 @@ TEST_F(TimelinePanel, AFileThatWasOverwrittenIsReadAnew) {
   EXPECT_EQ(find<QLabel>("timelineTime")->text(), QString(u8"1.90 s of 1.90 s \u00b7 10 frames/s"));
 }
 
+/// Frames whose numbers repeat, and of more digits than six.
+TEST_F(TimelinePanel, TheNumberOfTheFrameShownMeansThisFrame) {
+  const QString name = writeLids(3, 5);
+  QFile file(name);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  QByteArray text = file.readAll();
+  file.close();
+  for (const char* line : {"\n0 0\n", "\n1 20\n", "\n2 40\n"}) {
+    ASSERT_EQ(text.count(line), 1) << line;
+    text.replace(line, QByteArray(line).replace(1, 1, "1000070"));
+  }
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(text);
+  file.close();
+  ASSERT_TRUE(window->openAnimation(name));
+  window->model().showFrame(2);
+  auto* box = find<QSpinBox>("timelineFrame");
+  EXPECT_EQ(box->text(), "1000070 / 1000070");
+  box->interpretText();
+  EXPECT_EQ(box->value(), 3);
+}
+
 TEST_F(TimelinePanel, AFileThatWasOverwrittenWithNonsenseStaysAsItWasRead) {
   const QString name = writeLids(11, 5);
   ASSERT_TRUE(window->openAnimation(name));

@@ -1,6 +1,7 @@
 #include "FrameBox.h"
 
 #include <QLineEdit>
+#include <QLocale>
 #include <algorithm>
 
 #include "FaceModel.h"
@@ -11,7 +12,8 @@ namespace {
 
 QString numberOf(const FAPSequence& motion, int place) {
   if (motion.frames.empty()) return QString::number(place);
-  return QString::number(motion.frames[std::clamp(place - 1, 0, static_cast<int>(motion.frames.size()) - 1)].number);
+  const int last = static_cast<int>(motion.frames.size()) - 1;
+  return QString::number(motion.frames[std::clamp(place - 1, 0, last)].number, 'g', QLocale::FloatingPointShortest);
 }
 
 }  // namespace
@@ -42,7 +44,9 @@ std::optional<int> FrameBox::placeOf(const QString& text) const {
   return index ? std::make_optional(static_cast<int>(*index) + 1) : std::nullopt;
 }
 
+/// Numbers may repeat in a file: that of the frame shown means this one.
 int FrameBox::valueFromText(const QString& text) const {
+  if (text.section('/', 0, 0).trimmed() == textFromValue(value())) return value();
   return placeOf(text).value_or(value());
 }
 

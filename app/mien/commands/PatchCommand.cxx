@@ -4,6 +4,7 @@
 #include "Arguments.h"
 #include "BoundaryCurveData.h"
 #include "Command.h"
+#include "CompactFaceFile.h"
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
@@ -28,6 +29,8 @@ struct PatchCommandOptions {
 };
 
 vtkSmartPointer<vtkPolyData> readCurves(const std::string& name) {
+  if (isCompactFaceFile(name))
+    throw FileFailure(name + ": a face has 29 curves, and a patch takes 2 to 16; give its curves alone, in a .vtp");
   vtkNew<vtkXMLPolyDataReader> reader;
   const std::string unreadable = readXMLDataFile(name, reader);
   if (!unreadable.empty()) throw FileFailure(unreadable);

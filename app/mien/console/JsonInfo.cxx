@@ -38,7 +38,8 @@ constexpr JsonKind jsonKinds[] = {
 
 const JsonKind* kindOf(const json& root) {
   const auto found = std::find_if(std::begin(jsonKinds), std::end(jsonKinds), [&](const JsonKind& kind) {
-    return root.contains(kind.member) && (!kind.format || root[kind.member] == kind.format);
+    const bool isNamed = kind.format ? root.value("format", json()) == kind.format : !root.contains("format");
+    return root.contains(kind.member) && isNamed;
   });
   return found == std::end(jsonKinds) ? nullptr : found;
 }

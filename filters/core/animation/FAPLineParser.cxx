@@ -23,12 +23,13 @@ bool looksLikeAMask(const std::vector<std::string_view>& entries) {
 
 /// The name in a header may hold a #, so a comment begins there only behind the two numbers that end it.
 void leaveOutComment(std::vector<std::string_view>& entries) {
+  constexpr std::size_t leastEntries = 3;  // version, rate and count
   const auto endsAt = [&](std::size_t count) {
-    return count == 1 || (parseNumber(entries[count - 1]) && parseNumber(entries[count - 2]));
+    return count >= leastEntries && parseNumber(entries[count - 1]) && parseNumber(entries[count - 2]);
   };
-  if (endsAt(entries.size())) return;
-  for (std::size_t i = 1; i < entries.size(); ++i)
+  for (std::size_t i = leastEntries; i < entries.size(); ++i)
     if (entries[i].front() == '#' && endsAt(i)) return entries.resize(i);
+  if (entries.size() > 1 && entries[1].front() == '#' && !endsAt(entries.size())) entries.resize(1);
 }
 
 Fault readVersion(std::string_view entry) {

@@ -24,9 +24,8 @@ constexpr double slowestFAPRate = 0.001, fastestFAPRate = 100000.0;  ///< frames
 /// mask and value lines alternating. The frames that are there count, not COUNT. Accepted with a warning: a header
 /// that disagrees; no header, or a single whole number for one (25 frames per second, or 1000 / S where frame numbers
 /// step by S >= 10 ms); masks of 69 entries; FAP 1 and 2 written as one value each; selections and weights of FAP 1
-/// and 2 out of their ranges; frame numbers that do not
-/// increase or leave some out (MissingFrames.h); values beyond 1e6, which are limited. Each kind is warned of once, at
-/// its first line. Everything else is refused.
+/// and 2 out of their ranges; frame numbers that do not increase or leave some out (MissingFrames.h); values beyond
+/// 1e6, which are limited. Each kind is warned of once, at its first line. Everything else is refused.
 ///
 /// @return the error, and then `sequence` is as it was; or nothing
 std::optional<FAPParseError> parseFAP(std::string_view text, FAPSequence& sequence);

@@ -23,7 +23,6 @@ std::string describeCrossing(const ClosedCurves& curves) {
   return {};
 }
 
-/// With the names of the layout: C22' makes the number of a curve differ from its place.
 std::string describeFeatureFault(const FaceCurves& face) {
   for (const FeaturePoint& feature : face.features)
     if (feature.curve < 0 || feature.curve >= face.curves.count || !(feature.v >= 0.0 && feature.v < 6.2831854))
