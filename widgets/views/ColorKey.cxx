@@ -6,6 +6,7 @@
 
 #include "FaceLayout.h"
 #include "PatchColors.h"
+#include "RealMinus.h"
 #include "Theme.h"
 
 namespace mien {
@@ -120,7 +121,7 @@ void ColorKey::paintScale(QPainter& painter) const {
   painter.drawText(QPointF(keySide, keyAbove + keyBarHeight / 2.0 + metrics.ascent() / 2.0 - 1.0), title);
   for (double share : {0.0, 0.5, 1.0}) {
     const double x = bar.left() + share * bar.width();
-    const QString text = QString::number(scale_.begin + share * (scale_.end - scale_.begin), 'g', 3);
+    const QString text = withRealMinus(QString::number(scale_.begin + share * (scale_.end - scale_.begin), 'g', 3));
     painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + keyTick));
     painter.drawText(QPointF(x - metrics.horizontalAdvance(text) / 2.0, bar.bottom() + keyTick + metrics.ascent()),
                      text);
