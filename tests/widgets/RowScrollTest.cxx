@@ -68,6 +68,11 @@ class RowScroll : public StudioFixture {
 };
 
 TEST_F(RowScroll, RowsNeverLieUnderTheBarAndThereIsNoneWhereAllFit) {
+  for (int workspace : {3, 2, 4, 1, 3}) {  // as they open for the first time
+    find<QTabBar>("workspaces")->setCurrentIndex(workspace - 1);
+    rest();
+    expectRowsBesideTheirBars("first in " + std::to_string(workspace));
+  }
   for (const QSize& size : {QSize(1280, 800), QSize(1000, 700), QSize(960, 660), QSize(1600, 1000), QSize(1280, 800)})
     for (int workspace : {3, 1, 2, 4, 3}) {
       choose(workspace, size);
