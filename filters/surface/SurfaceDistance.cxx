@@ -4,26 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
+#include "SurfaceMesh.h"
 
 namespace mien {
 
 namespace {
-
-TriangleMesh meshOf(vtkPolyData* triangles) {
-  TriangleMesh mesh;
-  mesh.vertices.resize(triangles->GetNumberOfPoints(), 3);
-  for (vtkIdType i = 0; i < triangles->GetNumberOfPoints(); ++i) triangles->GetPoint(i, mesh.vertices.row(i).data());
-  mesh.triangles.resize(triangles->GetNumberOfCells(), 3);
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell) {
-    triangles->GetCellPoints(cell, ids);
-    for (int i = 0; i < 3; ++i) mesh.triangles(cell, i) = static_cast<int>(ids->GetId(i));
-  }
-  return mesh;
-}
 
 /// The distance that a share of the area does not exceed; distances with their areas, sorted.
 double quantile(const std::vector<std::pair<double, double>>& sorted, double area) {

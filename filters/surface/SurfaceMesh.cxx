@@ -196,4 +196,17 @@ std::vector<double> pointAreas(vtkPolyData* triangles) {
   return areas;
 }
 
+TriangleMesh meshOf(vtkPolyData* triangles) {
+  TriangleMesh mesh;
+  mesh.vertices.resize(triangles->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < triangles->GetNumberOfPoints(); ++i) triangles->GetPoint(i, mesh.vertices.row(i).data());
+  mesh.triangles.resize(triangles->GetNumberOfPolys(), 3);
+  Eigen::Index row = 0;
+  forTriangles(triangles, [&](const vtkIdType* ids) {
+    for (int i = 0; i < 3; ++i) mesh.triangles(row, i) = static_cast<int>(ids[i]);
+    ++row;
+  });
+  return mesh;
+}
+
 }  // namespace mien

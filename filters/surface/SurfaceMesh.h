@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "TriangleMesh.h"
 #include "vtkSmartPointer.h"
 
 class vtkDataObject;
@@ -48,6 +49,9 @@ std::string readSurface(vtkDataObject* data, const std::string& name, bool large
 
 /// One sentence that says why triangles can be no surface (none, points that are not finite, no area), or nothing.
 std::string describeFault(vtkPolyData* triangles, const std::string& name);
+
+/// Points and triangles as they are (trianglesOf()).
+TriangleMesh meshOf(vtkPolyData* triangles);
 
 /// Area that belongs to each point: a third of every triangle around it (mm2).
 std::vector<double> pointAreas(vtkPolyData* triangles);

@@ -14,6 +14,18 @@ TEST(NumberText, ReadsWholeFiniteDecimalNumbersOnly) {
     EXPECT_FALSE(parseNumber(text).has_value()) << text;
 }
 
+TEST(NumberText, NumbersTooSmallToHoldAreZero) {
+  for (const char* text :
+       {"1e-400", "-1e-400", "+1E-400", "123456789012345e-400", "0.00001e-320", "1e-99999999999999999999"})
+    EXPECT_EQ(parseNumber(text), 0.0) << text;
+  const std::string zeros(400, '0');
+  EXPECT_EQ(parseNumber("0." + zeros + "1"), 0.0);
+  EXPECT_FALSE(parseNumber("1" + zeros).has_value());
+  EXPECT_NEAR(parseNumber("0." + zeros + "1e401").value_or(0.0), 1.0, 1e-15);
+  for (const char* text : {"1e400", "-1e400", "0.00001e320", "1e-400x"})
+    EXPECT_FALSE(parseNumber(text).has_value()) << text;
+}
+
 TEST(NumberText, WholeNumbersTooLargeBecomeTheLargest) {
   EXPECT_EQ(parseWholeNumber("408"), 408);
   EXPECT_EQ(parseWholeNumber("99999999999999999999"), std::numeric_limits<std::int64_t>::max());

@@ -99,24 +99,26 @@ TEST(ScanReader, NamesTheFileAtFault) {
 TEST(ScanReader, RefusesAHeaderThatPromisesMoreThanTheFileHolds) {
   const std::string vertices = "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n";
   const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-  const std::string damaged[] = {
-      writeFile("huge.ply", vertices + "property float x\nproperty float y\nproperty float z\n" + faces),
-      writeFile("huge.off", "OFF\n2000000000 2000000000 0\n0 0 0\n"),
-      writeFile("huge_binary.off", "OFF BINARY\n\xff\xff\xff\x7f\xff\xff\xff\x7f"),
-      writeFile("huge.stl", std::string(80, 'x') + "\xff\xff\xff\xff" + std::string(50, '\1')),
-  };
-  for (const std::string& file : damaged)
-    EXPECT_NE(errorOf(file).find(file + ": the header promises more"), std::string::npos) << errorOf(file);
+  const std::string places = "property float x\nproperty float y\nproperty float z\n";
+  for (const auto& [file, what] : {
+           std::pair{writeFile("huge.ply", vertices + places + faces), ":3: the header promises more"},
+           {writeFile("huge.off", "OFF\n2000000000 2000000000 0\n0 0 0\n"), ":2: the header promises more"},
+           {writeFile("binary.off", "OFF BINARY\n\xff\xff\xff\x7f\xff\xff\xff\x7f"), ":1: the header promises more"},
+           {writeFile("huge.stl", std::string(80, 'x') + "\xff\xff\xff\xff" + std::string(50, '\1')),
+            ": triangle 2 of 4294967295 is not there"},
+       })
+    EXPECT_EQ(errorOf(file).rfind(file + what, 0), 0u) << errorOf(file);
 }
 
 TEST(ScanReader, NegativeCountsAreRefused) {
   const std::string rest = "property float x\nproperty float y\nproperty float z\nelement face ";
   const std::string list = "\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n";
   const std::string start = "ply\nformat ascii 1.0\nelement vertex ";
-  for (const std::string& text : {start + "-4\n" + rest + "1" + list, start + "1\n" + rest + "-1" + list})
-    EXPECT_NE(errorOf(writeFile("negative.ply", text)).find("fewer than none"), std::string::npos);
+  for (const auto& [text, what] : {std::pair{start + "-4\n" + rest + "1" + list, ":3: the header has '-4' where"},
+                                   {start + "1\n" + rest + "-1" + list, ":7: the header has '-1' where"}})
+    EXPECT_NE(errorOf(writeFile("negative.ply", text)).find(what), std::string::npos);
   for (const char* const counts : {"-4 1 0", "4 -1 0"})
-    EXPECT_NE(errorOf(writeFile("negative.off", std::string("OFF\n") + counts + "\n0 0 0\n")).find("fewer than none"),
+    EXPECT_NE(errorOf(writeFile("negative.off", std::string("OFF\n") + counts + "\n0 0 0\n")).find("fewer vertices"),
               std::string::npos)
         << counts;
 }
@@ -157,7 +159,7 @@ TEST(ScanReader, RefusesFacesWithCornersThatAreNoVertices) {
   std::string bytes = "ply\nformat binary_little_endian 1.0\n" + header + std::string(36, '\0');
   for (const char corner : {'\2', '\3'}) bytes += std::string("\3\0\0\0\0\1\0\0\0", 9) + corner + std::string(3, '\0');
   const std::string binary = errorOf(writeFile("far_binary.ply", bytes));
-  EXPECT_NE(binary.find("face 1: a face has the corner 3"), std::string::npos) << binary;
+  EXPECT_NE(binary.find("face 2: a face has the corner 3"), std::string::npos) << binary;
 }
 
 TEST(ScanReader, CornersCountedFromTheEndAndLaterVerticesAreNoFault) {

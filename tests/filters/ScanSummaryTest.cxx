@@ -64,6 +64,19 @@ TEST(ScanSummary, GuessesTheUnitAsAcquisitionDoes) {
   EXPECT_TRUE(far.possibleUnits.empty());
 }
 
+/// The floor measures 191 from corner to corner, which alone would be a head in mm.
+TEST(ScanSummary, GuessesTheUnitOfAFaceOnAFloor) {
+  mien::TriangleMesh scan = DenseFace(101, 90).mesh;
+  const auto vertices = scan.vertices.rows(), triangles = scan.triangles.rows();
+  const int first = static_cast<int>(vertices);
+  scan.vertices.conservativeResize(vertices + 4, 3);
+  scan.vertices.bottomRows(4) << -675, -400, -675, 675, -400, -675, 675, -400, 675, -675, -400, 675;
+  scan.triangles.conservativeResize(triangles + 2, 3);
+  scan.triangles.bottomRows(2) << first, first + 2, first + 1, first, first + 3, first + 2;
+  const mien::ScanSummary summary = summaryOf(writeObj("floor.obj", scan, 0.1));
+  EXPECT_EQ(summary.unit, "cm") << summary.unitFault;
+}
+
 TEST(ScanSummary, RefusesWhatTheReaderRefuses) {
   mien::ScanSummary summary;
   summary.points = 7;

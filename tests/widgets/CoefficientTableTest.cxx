@@ -51,22 +51,32 @@ TEST_F(CoefficientTable, EveryColumnIsWrittenInOneFormat) {
   }
 }
 
-/// What a reader sees as the limit itself does not stand out.
+/// What a reader sees as the limit itself does not stand out, nor what rounding alone sets apart from it.
 TEST_F(CoefficientTable, WhatReadsAsTheLimitIsNotMarked) {
   const mien::DeformationTable& joy = *mien::namedTable("joy");
-  mien::DeformationTable near = joy, far = joy;
-  int tried = 0;
+  mien::DeformationTable near = joy, rounded = joy, far = joy;
+  int tried = 0, apart = 0;
   for (int i = 0; i < 192; ++i) {
     const double limit =
         joy.maps[i / 12].coefficients(i % 12 / 6, i % 6) + joy.deviations->at(i / 12)(i % 12 / 6, i % 6);
     const double shown = std::round(100.0 * limit) / 100.0;  // the middle of what reads so
     near.maps[i / 12].coefficients(i % 12 / 6, i % 6) = shown + 0.004;
-    far.maps[i / 12].coefficients(i % 12 / 6, i % 6) = shown + 0.014;
+    rounded.maps[i / 12].coefficients(i % 12 / 6, i % 6) = limit + 0.0099;
+    far.maps[i / 12].coefficients(i % 12 / 6, i % 6) = shown + 0.016;
   }
   const std::vector<int> beyond = mien::outsideRange(near, joy);
   EXPECT_GT(beyond.size(), 20u) << "else none of them is tried";
   cells->show(near, "joy", &joy, nullptr);
   for (int i = 0; i < 192; ++i) EXPECT_FALSE(cells->item(i / 12, i % 12)->font().bold()) << i;
+  cells->show(rounded, "joy", &joy, nullptr);
+  for (int i = 0; i < 192; ++i) {
+    const double limit =
+        joy.maps[i / 12].coefficients(i % 12 / 6, i % 6) + joy.deviations->at(i / 12)(i % 12 / 6, i % 6);
+    apart += std::lround(100.0 * (limit + 0.0099)) != std::lround(100.0 * limit);
+    EXPECT_FALSE(cells->item(i / 12, i % 12)->font().bold()) << i;
+    EXPECT_TRUE(cells->item(i / 12, i % 12)->toolTip().contains(QString::number(limit, 'g', 9))) << i;
+  }
+  EXPECT_GT(apart, 150) << "else none reads as beyond the limit";
   cells->show(far, "joy", &joy, nullptr);
   for (int i : beyond) tried += cells->item(i / 12, i % 12)->font().bold();
   EXPECT_EQ(tried, static_cast<int>(beyond.size()));

@@ -72,6 +72,39 @@ TEST_F(FAPPanel, ALengthIsShownInMillimetresOfThisFace) {
   EXPECT_EQ(find<QLabel>("fapLength31")->text(), QString("%1 mm").arg(expected, 0, 'f', 1));
 }
 
+/// As figures beside them do, in labels and in fields, which read both.
+TEST_F(FAPPanel, NegativeNumbersHaveARealMinus) {
+  auto* number = find<QDoubleSpinBox>("fapValue31");
+  for (const QString& typed : {QString("-300"), QString(QChar(0x2212)) + "300"}) {
+    number->selectAll();
+    QTest::keyClicks(number, "0\r");
+    number->selectAll();
+    number->findChild<QLineEdit*>()->insert(typed);
+    QTest::keyClick(number, Qt::Key_Return);
+    settle();
+    EXPECT_EQ(number->value(), -300.0);
+    EXPECT_EQ(number->text(), QString(QChar(0x2212)) + "300 ENS");
+    EXPECT_EQ(find<QLabel>("fapLength31")->text().at(0), QChar(0x2212));
+    EXPECT_FALSE(find<QLabel>("fapLength31")->text().contains('-'));
+  }
+}
+
+TEST_F(FAPPanel, WhatAnExpressionAddsIsExplained) {
+  const auto tip = [this](const char* name) { return find<QWidget>(name)->toolTip(); };
+  find<QDoubleSpinBox>("fapValue31")->setValue(100.0);
+  settle();
+  EXPECT_FALSE(tip("fapLength31").contains("in all"));
+  window->model().change([](mien::FaceState& state) { state.expressions["fear"] = 1.0; });
+  settle();
+  const QString shown = find<QLabel>("fapLength31")->text();
+  for (const char* name : {"fapLength31", "fapSlider31"})
+    EXPECT_TRUE(tip(name).contains("<b>" + shown + "</b> in all")) << tip(name).toStdString();
+  window->model().change([](mien::FaceState& state) { state.expressions.clear(); });
+  settle();
+  EXPECT_FALSE(tip("fapSlider31").contains("in all"));
+  EXPECT_FALSE(tip("fapSlider31").isEmpty());
+}
+
 TEST_F(FAPPanel, MirrorMovesBothSidesAndNoneWithoutIt) {
   auto* left = find<QDoubleSpinBox>("fapValue31");
   auto* right = find<QDoubleSpinBox>("fapValue32");

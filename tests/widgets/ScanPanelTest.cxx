@@ -14,9 +14,11 @@
 #include <QScrollBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <QTextStream>
 #include <QToolButton>
 
 #include "BoundaryCurveData.h"
+#include "DenseFace.h"
 #include "FaceModel.h"
 #include "FaceView.h"
 #include "ReferenceData.h"
@@ -65,6 +67,7 @@ TEST_F(ScanPanel, AScanIsMeasuredAdoptedAndCompared) {
   EXPECT_TRUE(find<QToolButton>("scanCancel")->isVisible());
   ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
   EXPECT_EQ(message(), "");
+  EXPECT_FALSE(report().contains("inwards") || report().contains("larger")) << "nothing is doubtful";
   EXPECT_TRUE(report().contains("Landmarks  from the file, ")) << report().toStdString();
   EXPECT_TRUE(report().contains("Mesh       in mm, recognised by the size of the head; ")) << report().toStdString();
   EXPECT_TRUE(report().startsWith("Curves measured from subject01_neutral.ply, not adopted yet:"))
@@ -130,6 +133,39 @@ TEST_F(ScanPanel, TheReportOfAScanIsSeenWhole) {
     ASSERT_TRUE(waitUntil([&] { return report().startsWith("Shown face to scan") == (subject == 1); }, longest));
     EXPECT_EQ(key->isVisible(), subject == 0) << "the scan is hidden where colours have a meaning";
     for (const QSize& size : {QSize(1000, 700), QSize(1280, 800), QSize(2560, 1440)}) {
+      window->resize(size);
+      find<QAction>("actionResetWorkspace")->trigger();
+      settle();
+      EXPECT_FALSE(find<QScrollArea>("curvesDockScroll")->verticalScrollBar()->isVisible())
+          << size.width() << " " << subject;
+    }
+  }
+}
+
+/// Mirrored, on a floor that is larger than the head.
+TEST_F(ScanPanel, WhatIsDoubtfulAboutAScanIsToldInWordsAndSeenWhole) {
+  DenseFace scan(110, 111);
+  scan.mesh.vertices.col(0) *= -1.0;
+  QTemporaryDir folder;
+  QFile file(folder.filePath("mirrored.obj"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Text));
+  QTextStream text(&file);
+  for (const auto& p : scan.mesh.vertices.rowwise()) text << "v " << p[0] << " " << p[1] << " " << p[2] << "\n";
+  text << "v -600 -180 -600\nv 600 -180 -600\nv 600 -180 600\nv -600 -180 600\n";
+  for (const auto& t : scan.mesh.triangles.rowwise())
+    text << "f " << t[0] + 1 << " " << t[1] + 1 << " " << t[2] + 1 << "\n";
+  text << "f -4 -1 -2\nf -4 -2 -3\n";
+  text.flush();
+  file.close();
+  find<QAction>("actionWorkspace4")->trigger();
+  panel->open(file.fileName());
+  ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest)) << message().toStdString();
+  EXPECT_TRUE(report().contains("\u00b0; its faces wind inwards: it may be mirrored\n")) << report().toStdString();
+  EXPECT_TRUE(report().contains("RMS off; on part 2 of 2, larger ones left out\n")) << report().toStdString();
+  for (int subject : {0, 1}) {
+    find<QComboBox>("scanDistances")->setCurrentIndex(subject);
+    ASSERT_TRUE(waitUntil([&] { return report().startsWith("Shown face to scan") == (subject == 1); }, longest));
+    for (const QSize& size : {QSize(1000, 700), QSize(1280, 800)}) {
       window->resize(size);
       find<QAction>("actionResetWorkspace")->trigger();
       settle();

@@ -8,6 +8,7 @@
 #include <vtkXMLPolyDataWriter.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QRegularExpression>
@@ -24,8 +25,10 @@
 #include "ElidedLabel.h"
 #include "FaceModel.h"
 #include "FaceView.h"
+#include "KeyStrip.h"
 #include "ReferenceData.h"
 #include "StudioFixture.h"
+#include "Theme.h"
 #include "ViewArea.h"
 
 namespace {
@@ -102,6 +105,26 @@ class ViewFit : public StudioFixture {
     return cut;
   }
 };
+
+/// Below a view without a key the background goes on, in either theme.
+TEST_F(ViewFit, TheKeptPlaceOfAKeyGoesOnAsTheView) {
+  drawViews();
+  auto* strip = find<mien::ViewArea>("viewArea")->findChild<mien::KeyStrip*>();
+  for (const auto& [theme, kind] :
+       {std::pair("light", mien::Theme::Kind::Light), std::pair("dark", mien::Theme::Kind::Dark),
+        std::pair("light again", mien::Theme::Kind::Light)}) {
+    mien::Theme::apply(kind, *qApp);
+    for (const char* view : {"faceView", "curveView"}) find<mien::RenderView>(view)->useTheme();
+    settle();
+    const QImage picture = window->grab().toImage();
+    const QPoint corner = strip->mapTo(window.get(), QPoint(10, 0));
+    const QColor end = picture.pixelColor(corner - QPoint(0, 1));
+    EXPECT_NE(end.name(), picture.pixelColor(corner - QPoint(0, strip->height() * 4)).name()) << "a gradient is above";
+    for (int row = 0; row < strip->height(); ++row)
+      EXPECT_EQ(picture.pixelColor(corner + QPoint(0, row)).name().toStdString(), end.name().toStdString())
+          << theme << " " << row;
+  }
+}
 
 /// Expressions never move the camera; the jaw as far as its slider goes moves it once, and is whole.
 TEST_F(ViewFit, TheOpenJawIsWithinBothViews) {

@@ -18,9 +18,8 @@ namespace mien {
 namespace {
 
 constexpr int coefficientCount = 12, rmsColumn = 12, allColumns = 13;
-constexpr int decimalsOfColumn =
-    2;                            // half of the last one is what a number differs at least from its mean to stand out
-constexpr double smaller = 0.85;  // of the application's letters: 13 columns in half a window
+constexpr int decimalsOfColumn = 2, shownDigits = 9;  // in a cell, and where there is room
+constexpr double smaller = 0.85;                      // of the application's letters: 13 columns in half a window
 constexpr int shownRows = 10, leastWidth = 44, headerMargins = 14;  // pixels
 constexpr const char* factors[] = {"x\u00b2", "x y", "y\u00b2", "x", "y", "1"};
 constexpr const char* shortUnits[] = {"1/pu", "1/pu", "1/pu", "\u2013", "\u2013", "pu"};
@@ -95,10 +94,12 @@ void CoefficientTable::addHeaders() {
   for (int i = 0; i < coefficientCount; ++i) {
     const QString name = QString::fromStdString(coefficientName(i));
     auto* header = new QTableWidgetItem(name + '\n' + QString::fromUtf8(shortUnits[i % 6]));
-    header->setToolTip(tr("%1: factor of %2 in %3' (%4; pu is one pupil unit, half the distance of the pupils); the "
-                          "scale below a number is mean \u00b1 sd of the expression, red and bold what lies "
-                          "outside it and differs from the mean by more than 0.5 % of the region's largest factor")
-                           .arg(name, QString::fromUtf8(factors[i % 6]), i < 6 ? "x" : "y", units[i % 6]));
+    header->setToolTip(
+        tr("%1: factor of %2 in %3' (%4; pu is one pupil unit, half the distance of the pupils); the "
+           "scale below a number is mean \u00b1 sd of the expression. Red and bold is what lies outside it by "
+           "one or more of the last decimal shown, and differs from the mean by more than 0.5 % of the "
+           "largest factor in the mean's region")
+            .arg(name, QString::fromUtf8(factors[i % 6]), i < 6 ? "x" : "y", units[i % 6]));
     setHorizontalHeaderItem(i, header);
   }
   auto* rms = new QTableWidgetItem(tr("RMS\npu"));
@@ -148,12 +149,12 @@ void CoefficientTable::fillCoefficient(int region, int coefficient) {
   const double deviation = hasMean_ ? deviationOf(mean_, region, coefficient) : 0.0;
   const int side = hasMean_ ? sideOfRange(table_, mean_, region, coefficient) : 0;
   const int decimals = decimalsOf(table_, coefficient);
-  const QString limit = cellText(value - difference + side * deviation, decimals);
+  const double beyond = side * difference - deviation;  // the limit
   QTableWidgetItem* cell = item(region - 1, coefficient);
   cell->setText(cellText(value, decimals));
-  const bool standsOut = side != 0 && cell->text() != limit;  // beyond the limit as it would be read
+  const bool standsOut = side != 0 && beyond >= std::pow(10.0, -decimals);  // as it is read, too
   cell->setData(RangeDelegate::outsideRole, standsOut);
-  cell->setToolTip(hasMean_ ? wordsOf(region, coefficient) : QString());
+  cell->setToolTip(hasMean_ ? rangeWords(region, coefficient, standsOut) : QString());
   cell->setData(RangeDelegate::placeRole, deviation > 0.0 ? QVariant(difference / deviation) : QVariant());
   QFont font = this->font();
   font.setBold(standsOut);
@@ -194,6 +195,17 @@ QString CoefficientTable::wordsOf(int region, int coefficient) const {
       .arg(name, QString::fromStdString(coefficientName(coefficient)), number(value), units[coefficient % 6],
            sideText(sideOfRange(table_, mean_, region, coefficient)), number(mean), number(deviation),
            QString::fromStdString(meanName_));
+}
+
+QString CoefficientTable::rangeWords(int region, int coefficient, bool standsOut) const {
+  const auto number = [](double x) { return QString::number(x, 'g', shownDigits); };
+  const double mean = valueOf(mean_, region, coefficient), deviation = deviationOf(mean_, region, coefficient);
+  const int side = sideOfRange(table_, mean_, region, coefficient);
+  const QString words = tr("%1: %2 = %3 (%4), %5 mean \u00b1 sd of %6, which is %7 to %8")
+                            .arg(regionText(region), QString::fromStdString(coefficientName(coefficient)),
+                                 number(valueOf(table_, region, coefficient)), units[coefficient % 6], sideText(side),
+                                 QString::fromStdString(meanName_), number(mean - deviation), number(mean + deviation));
+  return side == 0 || standsOut ? words : words + tr("; not marked: by less than one of the last decimal shown");
 }
 
 std::string CoefficientTable::text() const {

@@ -8,8 +8,9 @@
 
 namespace mien {
 
-/// A table's 16 x 12 coefficients, each with the range mean +- sd of an expression. Numbers that read
-/// outside are red and bold, and off the range on their scale. Ctrl+C copies all of it as CSV.
+/// A table's 16 x 12 coefficients, each with the range mean +- sd of an expression. Numbers that lie
+/// outside by one or more of the last decimal shown, so that they read so, are red and bold, and off the range on their
+/// scale. Ctrl+C copies all of it as CSV.
 class CoefficientTable : public QTableWidget {
   Q_OBJECT
  public:
@@ -39,6 +40,7 @@ class CoefficientTable : public QTableWidget {
   void fillCoefficient(int region, int coefficient);
   QString legend() const;
   QString wordsOf(int region, int coefficient) const;
+  QString rangeWords(int region, int coefficient, bool standsOut) const;  ///< with all digits, and the limits
   void fillFit(int region, const PresentTable::Fit* fit);
 
   DeformationTable table_, mean_;

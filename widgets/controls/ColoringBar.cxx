@@ -11,6 +11,7 @@
 
 #include "FaceColoring.h"
 #include "SessionPart.h"
+#include "SignedBox.h"
 
 namespace mien {
 
@@ -22,16 +23,16 @@ constexpr int usualLetters = 20, mostLetters = 31;
 constexpr int leastList = 130;  // pixels, with which "Skin" and the first words of a quantity can be read
 
 /// A number with the digits that say something: "0.05", not "0.050000".
-class NumberBox : public QDoubleSpinBox {
+class NumberBox : public SignedNumberBox {
  public:
-  using QDoubleSpinBox::QDoubleSpinBox;
+  using SignedNumberBox::SignedNumberBox;
 
   QString textFromValue(double value) const override {
     QString text = locale().toString(value, 'f', decimals());
     text.remove(locale().groupSeparator());
     while (text.endsWith('0')) text.chop(1);
     if (text.endsWith(locale().decimalPoint())) text.chop(1);
-    return text == "-0" ? QString("0") : text;
+    return text == "-0" ? QString("0") : withRealMinus(text);
   }
 };
 

@@ -13,6 +13,7 @@
 #include "DeformationText.h"
 #include "FaceModel.h"
 #include "NamedTables.h"
+#include "SignedBox.h"
 #include "TableTitle.h"
 #include "ValueSlider.h"
 
@@ -41,7 +42,7 @@ DeformationChoice::DeformationChoice(FaceModel* model, QWidget* parent)
       table_(new QComboBox(this)),
       open_(new QToolButton(this)),
       strength_(new ValueSlider(this)),
-      percent_(new QSpinBox(this)),
+      percent_(new SignedWholeBox(this)),
       blend_(new QCheckBox(tr("Blend regions"), this)) {
   describeControls();
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -90,7 +91,7 @@ void DeformationChoice::describeControls() {
   for (QWidget* widget : std::initializer_list<QWidget*>{strength_, percent_})
     widget->setToolTip(
         tr("Factor of all displacements, -200 % .. 200 %; 100 %: as the table says, 0 %: none (double click)"));
-  percent_->setFixedWidth(percent_->fontMetrics().horizontalAdvance("-200 %") + 18);
+  percent_->setFixedWidth(percent_->fontMetrics().horizontalAdvance(withRealMinus("-200 %")) + 18);
   blend_->setObjectName("deformationBlend");
   blend_->setToolTip(
       tr("Smooth: neighbouring regions blend into each other. Off, hard: every point follows one region alone, as in "

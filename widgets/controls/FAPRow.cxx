@@ -13,6 +13,7 @@
 #include "FAPText.h"
 #include "FaceState.h"
 #include "Icons.h"
+#include "SignedBox.h"
 #include "ValueSlider.h"
 
 namespace mien {
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int singleStep = 4, pageStep = 64;                // of the slider by keys, in FAP units
 constexpr int singleAngleStep = 500, pageAngleStep = 5000;  // the same for angles: 0.3 and 3 degrees
+constexpr int numberMargins = 12;                           // pixels, of the field
 constexpr double degreesPerAngleUnit = radiansPerAngleUnit * 57.29577951308232;
 
 /// Of the slider, in FAP units; numbers may be larger. Lids close and mouths open within a whole unit; no other part
@@ -44,7 +46,7 @@ FAPRow::FAPRow(const FAPDefinition& fap, double millimetresPerUnit, QWidget* par
       millimetresPerUnit_(millimetresPerUnit),
       hasPartner_(fap.mirrorPartner != fap.number),
       slider_(new ValueSlider(this)),
-      number_(new QDoubleSpinBox(this)),
+      number_(new SignedNumberBox(this)),
       name_(new QLabel(fapLabel(fap), this)),
       length_(new QLabel(this)),
       reset_(new QToolButton(this)) {
@@ -63,7 +65,8 @@ void FAPRow::build(const FAPDefinition& fap) {
   length_->setObjectName(QString("fapLength%1").arg(fap_));
   length_->setProperty("faint", true);
   length_->setAlignment(Qt::AlignRight);
-  length_->setMinimumWidth(length_->fontMetrics().horizontalAdvance("-88.8 mm"));  // what is beside it stays
+  length_->setMinimumWidth(
+      length_->fontMetrics().horizontalAdvance(withRealMinus("-88.8 mm")));  // what is beside it stays
   reset_->setObjectName(QString("fapReset%1").arg(fap_));
   reset_->setIcon(icon(Symbol::Reset));
   reset_->setIconSize({12, 12});
@@ -95,7 +98,7 @@ void FAPRow::buildNumber(const FAPDefinition& fap) {
   number_->setAccessibleName(fapLabel(fap));
   number_->setAlignment(Qt::AlignRight);
   number_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  number_->setFixedSize(number_->fontMetrics().horizontalAdvance("-1024 IRISD") + 16,
+  number_->setFixedSize(number_->fontMetrics().horizontalAdvance(withRealMinus("-1024 IRISD")) + numberMargins,
                         number_->fontMetrics().height() + 10);
 }
 
@@ -143,7 +146,9 @@ void FAPRow::setShownValue(double value) {
   const bool isAngle = unit_ == FAPUnit::Angle;
   const double tenths =
       std::round(10.0 * value * (isAngle ? degreesPerAngleUnit : millimetresPerUnit_)) + 0.0;  // no -0
-  length_->setText((isAngle ? tr("%1\u00b0") : tr("%1 mm")).arg(0.1 * tenths, 0, 'f', 1));
+  length_->setText((isAngle ? tr("%1\u00b0") : tr("%1 mm")).arg(withRealMinus(QString::number(0.1 * tenths, 'f', 1))));
+  isMoreShown_ = std::lround(value) != std::lround(number_->value());
+  showTips();
 }
 
 void FAPRow::setPartnerShown(bool shown) {
@@ -158,9 +163,19 @@ void FAPRow::setReason(const QString& whyNot) {
 }
 
 void FAPRow::explain(const QString& tip) {
-  for (QWidget* widget : {static_cast<QWidget*>(name_), static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_),
-                          static_cast<QWidget*>(length_)})
-    widget->setToolTip(tip);
+  tip_ = tip;
+  for (QWidget* widget : {static_cast<QWidget*>(name_), static_cast<QWidget*>(number_)}) widget->setToolTip(tip);
+  showTips();
+}
+
+/// Where what the face shows is seen: why it is not what was set here.
+void FAPRow::showTips() {
+  const QString more =
+      tr("<b>%1</b> in all, from expressions and the animation too: the triangle below the slider.<br>%2");
+  const QString tip = isMoreShown_ ? more.arg(length_->text(), tip_) : tip_;
+  if (tip == length_->toolTip()) return;
+  length_->setToolTip(tip);
+  slider_->setToolTip(tip);
 }
 
 void FAPRow::edit(double value) {

@@ -41,12 +41,15 @@ class FAPRow : public QWidget {
   void layOut();
   void display(double value);
   void explain(const QString& tip);
+  void showTips();
   void edit(double value);
 
   int fap_;
   FAPUnit unit_;
   double millimetresPerUnit_;
   bool hasPartner_;
+  bool isMoreShown_ = false;  ///< than is set here
+  QString tip_;
   ValueSlider* slider_;
   QDoubleSpinBox* number_;
   QLabel *name_, *length_;

@@ -21,12 +21,18 @@ QString fixed(double value, int decimals) {
 
 ScanReportLine poseLine(const ScanReport& r) {
   const QString degrees = fixed(r.turned * 180.0 / M_PI, 1);
-  return {Words::tr("Pose"),
-          r.moved ? Words::tr("turned by %1\u00b0 to look straight ahead").arg(degrees)
-                  : Words::tr("looks straight ahead, but for %1\u00b0").arg(degrees),
-          r.moved
-              ? Words::tr("The scan was moved and turned onto the generic face")
+  ScanReportLine line = {
+      Words::tr("Pose"),
+      r.moved ? Words::tr("turned by %1\u00b0 to look straight ahead").arg(degrees)
+              : Words::tr("looks straight ahead, but for %1\u00b0").arg(degrees),
+      r.moved ? Words::tr("The scan was moved and turned onto the generic face")
               : Words::tr("The scan stays where it is: it is %1\u00b0 from the pose of the generic face").arg(degrees)};
+  if (!r.windsInwards) return line;
+  line.value += Words::tr("; its faces wind inwards: it may be mirrored");
+  line.detail += Words::tr(
+      ". Its faces show their back: where the scan is mirrored (left-handed), its left is its "
+      "right; where they are only wound so, all is well");
+  return line;
 }
 
 QString unitText(const ScanReport& r) {
@@ -65,6 +71,10 @@ ScanReportLine landmarkLine(const ScanReport& r) {
   if (r.fitted && r.landmarksGiven)
     detail += Words::tr(". Landmarks found without the file lie %1 mm RMS from these, at most %2 mm")
                   .arg(fixed(r.landmarkRMS, 2), fixed(r.landmarkMaximum, 2));
+  if (r.facePart > 0 && r.droppedParts > 0) {
+    value += Words::tr("; on part %1 of %2, larger ones left out").arg(r.facePart + 1).arg(r.parts);
+    detail += Words::tr(". Parts are counted by area, the largest first; mien acquire --all-parts keeps all");
+  }
   return {Words::tr("Landmarks"), value, detail};
 }
 

@@ -14,7 +14,8 @@ struct ScanReportLine {
   QString text() const;  ///< name and value, in letters of one width below those of the other lines
 };
 
-/// Mesh with its unit, pose, landmarks, distance, crossings.
+/// Mesh with its unit, pose and whether the faces wind inwards, landmarks and whether larger parts than theirs were
+/// left out, distance, crossings: as many lines for every scan, so that all have room.
 std::vector<ScanReportLine> scanReportLines(const AcquireResult& result);
 
 }  // namespace mien

@@ -60,13 +60,12 @@ QStringList mapNames() {
 
 }  // namespace
 
-VectorControls::VectorControls(RenderView* view, QWidget* origin, QWidget* parent)
+VectorControls::VectorControls(RenderView* view, QWidget* parent)
     : QWidget(parent), other_(view), grid_(new QGridLayout(this)) {
   setObjectName("vectorControls");
   grid_->setContentsMargins(0, 0, 0, 0);
   grid_->setVerticalSpacing(1);
   grid_->setHorizontalSpacing(6);
-  add(tr("Against"), origin);
   buildPicture();
   buildArrows();
   grid_->setColumnStretch(1, 1);

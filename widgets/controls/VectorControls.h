@@ -15,7 +15,7 @@ namespace mien {
 class MotionVectorFigure;
 class RenderView;
 
-/// How is a motion vector field drawn? Origin, view, region, sampling, arrows, colours, below each other. Its widgets
+/// How is a motion vector field drawn? View, region, sampling, arrows, colours, below each other. Its widgets
 /// are named vectorsView, vectorsRegion, vectorsSampling, vectorsSpacing, vectorsScale, vectorsScaleValue,
 /// vectorsLength, vectorsColor, vectorsColorMap, vectorsRange, vectorsRangeValue, vectorsHead, vectorsWhole and
 /// vectorsSeams.
@@ -23,8 +23,7 @@ class VectorControls : public QWidget, public SessionPart {
   Q_OBJECT
  public:
   /// @param view  whose direction can be taken over
-  /// @param origin  where the vectors start, takes its place among the rest
-  VectorControls(RenderView* view, QWidget* origin, QWidget* parent = nullptr);
+  VectorControls(RenderView* view, QWidget* parent = nullptr);
 
   /// Without region, size and theme.
   MotionVectorOptions options() const;

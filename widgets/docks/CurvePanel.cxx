@@ -24,6 +24,7 @@
 #include "FramedButton.h"
 #include "ScanPanel.h"
 #include "SessionPart.h"
+#include "SignedBox.h"
 
 namespace mien {
 
@@ -32,12 +33,13 @@ namespace {
 constexpr int middle = FaceLayout::curveCount / 2;
 
 QString textOf(const CurveEdit& edit) {
+  const auto number = [](double millimetres) { return withRealMinus(QString::number(millimetres, 'f', 1)); };
   return CurvePanel::tr("%1, v %2\u00b0: (%3, %4, %5) mm, width %6\u00b0, spread %7%8")
       .arg(QString::fromStdString(FaceLayout::curveName(edit.curve)))
       .arg(edit.vDegrees(), 0, 'f', 1)
-      .arg(edit.move.x(), 0, 'f', 1)
-      .arg(edit.move.y(), 0, 'f', 1)
-      .arg(edit.move.z(), 0, 'f', 1)
+      .arg(number(edit.move.x()))
+      .arg(number(edit.move.y()))
+      .arg(number(edit.move.z()))
       .arg(edit.widthDegrees(), 0, 'f', 0)
       .arg(edit.spread)
       .arg(edit.mirrored ? CurvePanel::tr(", mirrored") : QString());
@@ -66,9 +68,9 @@ CurvePanel::CurvePanel(FaceModel* model, FaceView* face, CurveView* view, QWidge
       curve_(new QComboBox(this)),
       point_(new QSpinBox(this)),
       spread_(new QSpinBox(this)),
-      dx_(new QDoubleSpinBox(this)),
-      dy_(new QDoubleSpinBox(this)),
-      dz_(new QDoubleSpinBox(this)),
+      dx_(new SignedNumberBox(this)),
+      dy_(new SignedNumberBox(this)),
+      dz_(new SignedNumberBox(this)),
       width_(new QDoubleSpinBox(this)),
       mirror_(new QCheckBox(tr("Mirror"), this)),
       edits_(new QListWidget(this)),

@@ -27,8 +27,8 @@ namespace {
 /// The groups of the standard that the 22 FAPs come from, from the top of the face down.
 constexpr int brows = 4, eyes = 3, cheeks = 5, nose = 9, mouth = 8;
 
-constexpr int pageMargins = 16;  // pixels
-constexpr int highPanel = 560;   // pixels: twice the rows of a tab
+constexpr int pageMargins = 14, rowSpacing = 1;  // pixels
+constexpr int highPanel = 560;                   // pixels: twice the rows of a tab
 
 constexpr const char* mirrorKey = "faps/mirror";
 constexpr const char* allKey = "faps/all";
@@ -132,16 +132,17 @@ QWidget* FAPPanel::searchField() {
 void FAPPanel::addTab(int group, const QString& title) {
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(2, 4, 2, 2);
+  column->setContentsMargins(2, 2, 2, 2);
   column->setSpacing(7);
   auto* rows = new QVBoxLayout;
-  rows->setSpacing(1);
+  rows->setSpacing(rowSpacing);
   column->addLayout(rows);
   column->addStretch();
   tabColumns_.insert(group, rows);
   auto* scroll = new RowScroll(pages_);  // a low screen must hold the docks above and below
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(page);
+  scroll->spread(rows);
   pages_->addWidget(scroll);
   tabs_->setTabToolTip(tabs_->addTab(title),
                        tr("Those of the 22 FAPs of Sheng et al. 2011 that move the %1").arg(title.toLower()));
@@ -170,7 +171,10 @@ void FAPPanel::arrange() {
     rows_.value(fap)->show();
   }
   pages_->setCurrentIndex(tabs_->currentIndex());
-  for (QVBoxLayout* rows : qAsConst(tabColumns_)) tallest = std::max(tallest, rows->sizeHint().height());
+  for (QVBoxLayout* rows : qAsConst(tabColumns_)) {
+    rows->setSpacing(rowSpacing);  // which may be spread
+    tallest = std::max(tallest, rows->sizeHint().height());
+  }
   pages_->setMaximumHeight(tallest + pageMargins);
 }
 

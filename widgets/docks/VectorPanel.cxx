@@ -7,19 +7,20 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
 #include <set>
 
+#include "ElidedLabel.h"
 #include "ExportButton.h"
 #include "FAPSequence.h"
 #include "FaceModel.h"
 #include "FaceNote.h"
 #include "FaceStateText.h"
 #include "FlipBox.h"
+#include "FramedButton.h"
 #include "LiveMotion.h"
 #include "LiveUpdate.h"
 #include "MotionField.h"
@@ -28,6 +29,7 @@
 #include "MotionWords.h"
 #include "OriginChooser.h"
 #include "RenderView.h"
+#include "RowScroll.h"
 #include "ScreenFigure.h"
 #include "Theme.h"
 #include "VectorControls.h"
@@ -37,7 +39,7 @@ namespace mien {
 
 namespace {
 
-constexpr int sideWidth = 330;       // pixels
+constexpr int sideWidth = 330, originWidth = 240;  // pixels
 constexpr double shape = 0.9;        // widest figure over its height with the key below: a face is upright
 constexpr double faceShape = 0.82;   // width over height of a face
 constexpr double keyBelowRoom = 17;  // mm, of the height
@@ -68,9 +70,9 @@ VectorPanel::VectorPanel(FaceModel* model, RenderView* view, QWidget* parent)
     : QWidget(parent),
       model_(model),
       origin_(new OriginChooser(model, this)),
-      controls_(new VectorControls(view, origin_, this)),
+      controls_(new VectorControls(view, this)),
       figure_(new VectorView("vectorFigure", this)),
-      numbers_(new QLabel(this)),
+      numbers_(new ElidedLabel(this)),
       motion_(new LiveMotion(this)),
       live_(new LiveUpdate(model, this, [this] { refresh(); })) {
   setObjectName("vectorPanel");
@@ -78,7 +80,9 @@ VectorPanel::VectorPanel(FaceModel* model, RenderView* view, QWidget* parent)
   figure_->setHint(tr("Measuring motion"));
   auto* whole = new QVBoxLayout(this);
   whole->setContentsMargins(8, 4, 8, 6);
-  whole->addWidget(new FlipBox(side(), figure_, 0, 1, this));
+  whole->setSpacing(4);
+  whole->addWidget(header());
+  whole->addWidget(new FlipBox(side(), figure_, 0, 1, this), 1);
   connectAll();
   followCamera(view);
   followAnimation();
@@ -86,40 +90,41 @@ VectorPanel::VectorPanel(FaceModel* model, RenderView* view, QWidget* parent)
 
 VectorPanel::~VectorPanel() = default;
 
-QWidget* VectorPanel::side() {
+/// Where the vectors start, what they come to, and what is done with the figure, as the other docks have it.
+QWidget* VectorPanel::header() {
   numbers_->setObjectName("vectorsNumbers");
   numbers_->setProperty("faint", true);
-  numbers_->setMinimumWidth(1);
-  numbers_->setWordWrap(true);
-  numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* page = new QWidget;
-  auto* fit = new QToolButton(page);
-  fit->setObjectName("vectorsFit");
-  fit->setText(tr("Fit"));
-  fit->setProperty("framed", true);
-  fit->setToolTip(
+  auto* box = new QWidget(this);
+  box->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  auto* fit = new QToolButton(box);
+  makeFramed(
+      fit, "vectorsFit", tr("Fit"),
       tr("Choose automatic scale and range anew, for all of an open animation or for what is seen now. Without an "
          "animation they grow at once and shrink only when the motion has been smaller for two seconds, so that "
          "pictures that follow each other can be compared"));
-  fit->setFocusPolicy(Qt::TabFocus);
   connect(fit, &QToolButton::clicked, this, &VectorPanel::fit);
-  auto* last = new QHBoxLayout;
-  last->addStretch();
-  last->addWidget(fit);
-  last->addWidget(new ExportButton(
+  origin_->setMinimumWidth(originWidth);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(new QLabel(tr("Against"), box));
+  row->addWidget(origin_);
+  row->addWidget(numbers_, 1);
+  row->addWidget(fit);
+  row->addWidget(new ExportButton(
       "vectorsExport", model_, [this](const ExportOptions& options) { return drawing(options); },
-      [this] { return numbers(); }, page));
+      [this] { return numbers(); }, box));
+  return box;
+}
+
+QWidget* VectorPanel::side() {
+  auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 4, 0);
-  column->setSpacing(3);
   column->addWidget(controls_);
-  column->addWidget(numbers_);
-  column->addLayout(last);
   column->addStretch();
-  auto* scroll = new QScrollArea(this);  // a low dock must not make the window higher
-  scroll->setFrameShape(QFrame::NoFrame);
+  auto* scroll = new RowScroll(this);  // a low dock must not make the window higher
+  scroll->setObjectName("vectorsSide");
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidgetResizable(true);
   scroll->setMinimumWidth(sideWidth);
   scroll->setWidget(page);
   return scroll;

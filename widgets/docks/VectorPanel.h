@@ -7,7 +7,7 @@
 
 #include "ExportDrawing.h"
 
-class QLabel;
+class ElidedLabel;
 class vtkEventQtSlotConnect;
 
 namespace mien {
@@ -42,6 +42,7 @@ class VectorPanel : public QWidget {
   void cameraMoved();
 
  private:
+  QWidget* header();
   QWidget* side();
   void connectAll();
   void followCamera(RenderView* view);
@@ -58,7 +59,7 @@ class VectorPanel : public QWidget {
   OriginChooser* origin_;
   VectorControls* controls_;
   VectorView* figure_;
-  QLabel* numbers_;
+  ElidedLabel* numbers_;
   LiveMotion* motion_;
   LiveUpdate* live_;
   std::vector<int> samples_;  ///< of the animation's frames

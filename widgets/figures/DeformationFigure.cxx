@@ -1,12 +1,12 @@
 #include "DeformationFigure.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "DeviationText.h"
 #include "PlaneDrawingPainter.h"
 #include "PlatePainter.h"
+#include "RealMinus.h"
 #include "RegionCells.h"
 #include "TextTable.h"
 
@@ -26,9 +26,7 @@ QPolygonF polygonOf(const PlanePolygon& points) {
 }
 
 std::string shortNumber(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", number);
-  return text;
+  return withRealMinus(QString::number(number, 'g', 3)).toStdString();
 }
 
 void addFace(PlaneDrawing& drawing, const DeformationFigureOptions& options) {

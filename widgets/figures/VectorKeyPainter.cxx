@@ -5,6 +5,7 @@
 
 #include "ArrowShape.h"
 #include "AxisScale.h"
+#include "RealMinus.h"
 #include "TextLines.h"
 #include "VectorScale.h"
 
@@ -163,7 +164,7 @@ void VectorKeyPainter::paintTicks(QPainter& painter, const QRectF& bar) const {
     const double x = bar.left() + scale.fraction(value) * bar.width();
     painter.setPen(QPen(style_.theme.axis, figureUnitsFromPoints(style_.theme.axisWidth)));
     painter.drawLine(QPointF(x, bar.bottom()), QPointF(x, bar.bottom() + figureUnits(keyTickLength)));
-    const QString text = number(value).replace('-', QChar(0x2212));
+    const QString text = withRealMinus(number(value));
     painter.setPen(style_.theme.text);
     painter.drawText(QPointF(x - 0.5 * textWidth(font, text),
                              bar.bottom() + figureUnits(keyTickLength + 0.2) + 0.95 * font.pixelSize()),

@@ -277,11 +277,11 @@ Comparison::Distances Comparison::nearest(const Surfaces& surfaces, bool covered
   filter->SetReferenceData(surfaces[1]);
   filter->GenerateVectorsOn();
   filter->SetCoveredOnly(covered);
-  updateWith(goOn, filter);
+  if (!updateWith(partOf(goOn, 0.0, 0.7), filter)) return distances;
   distances.fault = errors.first();
   for (int side = 0; side < 2 && distances.fault.empty(); ++side) {
     distances.surfaces[side] = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(side));
-    distances.drawn[side] = coveredApart(distances.surfaces[side]);
+    distances.drawn[side] = coveredApart(distances.surfaces[side], partOf(goOn, 0.7 + 0.15 * side, 0.85 + 0.15 * side));
     distances.summaries[side] = filter->GetSummary(side);
   }
   return distances;

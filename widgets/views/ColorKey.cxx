@@ -6,6 +6,7 @@
 
 #include "FaceLayout.h"
 #include "PatchColors.h"
+#include "RealMinus.h"
 #include "Theme.h"
 
 namespace mien {
@@ -25,7 +26,7 @@ QString patchText(int patch) {
 }
 
 QString keyNumber(double value) {
-  return QString::number(value, 'g', 3);
+  return withRealMinus(QString::number(value, 'g', 3));
 }
 
 /// The unit stays, whatever else has no room.

@@ -16,7 +16,7 @@ constexpr int shortestBar = 40, narrowBelow = 330, betweenNumbers = 6;
 constexpr double point = 8.0;  // pixels, length of the pointed end
 
 QString mostText(double millimetres) {
-  return ColorScale::tr("most %1 mm").arg(millimetres, 0, 'f', 1);
+  return ColorScale::tr("max %1 mm").arg(millimetres, 0, 'f', 1);
 }
 
 QString numberText(double millimetres) {

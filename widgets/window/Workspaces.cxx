@@ -211,7 +211,15 @@ void Workspaces::giveSizes(const QList<QDockWidget*>& left, const QList<QDockWid
 bool Workspaces::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Show && std::exchange(isAsAtFirst_, false)) arrange(current_);  // its size is known now
   if (event->type() == QEvent::Resize) QTimer::singleShot(0, this, &Workspaces::closeGaps);
+  if (event->type() == QEvent::LayoutRequest) QTimer::singleShot(0, this, &Workspaces::putAwayTabBars);
   return QObject::eventFilter(watched, event);
+}
+
+/// Qt leaves the bar of docks that were tabs and are hidden or elsewhere now where it was: a line across what lies
+/// there, which takes its clicks as well. It puts other bars without tabs out of sight in this way.
+void Workspaces::putAwayTabBars() {
+  for (auto* bar : window_->findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+    if (bar->isVisible() && bar->count() == 0) bar->move(-2 * bar->width(), -2 * bar->height());
 }
 
 /// From top to bottom; empty where they are not one column.
@@ -229,6 +237,7 @@ QList<QDockWidget*> Workspaces::column() const {
 /// A window that has changed its size gives each dock a share, also those that have no use for it: what is beyond their
 /// need goes to the one that takes what is left.
 void Workspaces::closeGaps() {
+  putAwayTabBars();
   const QList<QDockWidget*> left = column();
   if (left.size() < 2) return;
   const int hungry = hungryOf(left);

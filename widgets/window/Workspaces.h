@@ -56,6 +56,7 @@ class Workspaces : public QObject, public SessionPart {
   void giveHeights(const QList<QDockWidget*>& left, int room);
   QList<QDockWidget*> column() const;
   void closeGaps();
+  void putAwayTabBars();
   static int hungryOf(const QList<QDockWidget*>& left);
   QList<QDockWidget*> docks(const QStringList& names) const;
   void follow();

@@ -132,12 +132,26 @@ std::string findFace(const TriangleMesh& scan, const MeshParts& parts, const Fac
          " searched; cut away what is no head)";
 }
 
+namespace {
+
+/// The units in which one of the parts that findFace searches may be a head.
+std::vector<LengthUnit> unitsOfParts(const TriangleMesh& scan, const MeshParts& parts) {
+  std::vector<LengthUnit> fitting;
+  for (const int part : largeParts(parts))
+    for (const LengthUnit& unit : unitsOfSize(boxDiagonal(partAlone(scan, parts, part)))) {
+      const auto isIt = [&](const LengthUnit& other) { return other.name == unit.name; };
+      if (std::none_of(fitting.begin(), fitting.end(), isIt)) fitting.push_back(unit);
+    }
+  return fitting;
+}
+
+}  // namespace
+
 std::string recogniseScanUnit(const CleanMesh& scan, const FaceTemplate& reference, std::vector<LengthUnit>& fitting,
                               const Progress& progress) {
   const MeshParts parts = partsOf(scan.mesh);
-  const TriangleMesh skin = partAlone(scan.mesh, parts, 0);
-  fitting = unitsOfSize(boxDiagonal(skin));
-  if (fitting.empty()) return describeSize(boxDiagonal(skin));
+  fitting = unitsOfParts(scan.mesh, parts);
+  if (fitting.empty()) return describeSize(boxDiagonal(partAlone(scan.mesh, parts, 0)));
   if (fitting.size() == 1) return {};
   FoundFace best;
   const std::string fault = findFace(scan.mesh, parts, reference, 0.0, best, progress);

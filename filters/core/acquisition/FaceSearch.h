@@ -37,8 +37,9 @@ std::vector<int> largeParts(const MeshParts& parts);
 std::string findFace(const TriangleMesh& scan, const MeshParts& parts, const FaceTemplate& reference,
                      double millimetres, FoundFace& found, const Progress& progress = {});
 
-/// The unit of a scan of which no landmarks are known, as acquireScan recognises it: that in which its largest part is
-/// as large as a head may be, and of several the one in which the reference face fits best.
+/// The unit of a scan of which no landmarks are known, as acquireScan recognises it: that in which one of its large
+/// parts (largeParts) is as large as a head may be, and of several the one in which findFace finds the reference face.
+/// A single one is told without that search, which then may still find no face.
 /// @return nothing, or one sentence that says why it cannot be told; `fitting` are then those that the size allows
 std::string recogniseScanUnit(const CleanMesh& scan, const FaceTemplate& reference, std::vector<LengthUnit>& fitting,
                               const Progress& progress = {});

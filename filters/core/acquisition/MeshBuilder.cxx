@@ -27,7 +27,7 @@ void MeshBuilder::addTriangle(std::int64_t a, std::int64_t b, std::int64_t c) {
 void MeshBuilder::noteLost(std::int64_t corner, std::int64_t line) {
   if (lost_++ > 0) return;
   lostCorner_ = corner;
-  lostFace_ = faces_;
+  lostFace_ = faces_ + 1;
   lostLine_ = line;
 }
 

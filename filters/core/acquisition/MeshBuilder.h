@@ -23,7 +23,7 @@ class MeshBuilder {
   /// Counts a polygon of so many corners.
   void count(std::size_t corners);
 
-  /// Says in the end that a face has a corner that is no vertex; the number is as the file counts it.
+  /// Says in the end that the face counted next has a corner that is no vertex, whose number is as the file has it.
   void noteLost(std::int64_t corner, std::int64_t line);
 
   /// @return the first face with a corner that is no vertex; else nothing, and the mesh is in `read`

@@ -63,6 +63,11 @@ std::optional<MeshFault> readFaces(PolygonFile& file, MeshBuilder& mesh) {
 std::optional<MeshFault> readMeshText(std::string_view text, const std::string& ending, MeshText& read) {
   if (ending == ".obj") return readObjText(text, read);
   if (ending == ".stl") return readStlText(text, read);
+  if (ending == ".ply" && !PolygonFile::isPly(text))
+    return MeshFault{
+        0,
+        "this is no PLY file (it does not begin with \"ply\"); export the scan again, or give the file its "
+        "right ending"};
   PolygonFile file;
   if (!(ending == ".ply" ? file.openPly(text) : file.openOff(text)))
     return MeshFault{file.lineHere(), "the header " + file.fault() + exportMeshAgain};

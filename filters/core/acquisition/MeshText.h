@@ -29,7 +29,8 @@ struct MeshFault {
 };
 
 /// Reads a mesh: .ply as text or binary, with faces or triangle strips, before or behind the vertices; .off as text
-/// (ST, C and N before OFF too) or binary; .obj, whose lines may go on behind a backslash; .stl as text or binary.
+/// or binary of either byte order (ST, C and N before OFF too); .obj, whose vertices and faces may go on behind a
+/// backslash; .stl as text or binary. A byte order mark and blanks may stand before any text.
 /// Faces of more than three corners are split around their first one, triangles with a corner twice are left out.
 /// Refused: vertices that are no finite numbers, faces with a corner that the mesh does not have, counts that are not
 /// kept, text that is cut off. Memory follows what is in the file, not what it promises.

@@ -8,9 +8,12 @@
 namespace mien {
 
 /// Walks through the vertices and faces of a .ply or .off file (text or binary), one after the other, without
-/// building a mesh. The text must outlive it. What cannot be followed ends the walk.
+/// building a mesh. The text must outlive it. What cannot be followed ends the walk. Lines end in LF, CR LF or CR.
 class PolygonFile {
  public:
+  /// Whether a text begins with "ply", behind a byte order mark and blanks.
+  static bool isPly(std::string_view text);
+
   bool openPly(std::string_view text);
   bool openOff(std::string_view text);
 
@@ -30,7 +33,7 @@ class PolygonFile {
   /// Where it went no further, from 1; 0 in a binary file, behind its header.
   std::int64_t lineHere() const { return inHeader_ || encoding_ == Encoding::Text ? line_ : 0; }
 
-  /// Where what was read last begins; 0 in a binary file.
+  /// Where the vertex or face that was read last begins; 0 in a binary file.
   std::int64_t lineOfRow() const { return encoding_ == Encoding::Text ? rowLine_ : 0; }
 
   /// The last word of a text that was given as a place but is no finite number.
@@ -39,7 +42,7 @@ class PolygonFile {
  private:
   enum class Encoding { Text, LittleEndian, BigEndian };
   struct Type {
-    int bytes = 0;
+    int bytes = 0;  ///< 0: unknown
     bool isSigned = false, isReal = false;
   };
   struct Property {
@@ -55,20 +58,28 @@ class PolygonFile {
   };
 
   static Type typeOf(std::string_view name);
+  void begin(std::string_view text);
   bool refuse(const std::string& why);
   bool refuseElement(const std::string& name, const std::string& why);
   bool readHeader();
+  std::string_view cutHeaderLine(char end);
   bool readProperty(const std::vector<std::string_view>& words);
   bool findElements();
+  bool findFaces();
   const Element* element(const std::string& name) const;
   bool skipCommentsAndBlanks();
   bool endsLine() const;
+  std::size_t lineEnd() const;
+  bool openOffText(bool hasMore);
+  bool openOffBytes(int moreWords, bool hasColours);
+  bool hasLinePerRow(std::int64_t rows) const;
   bool readHeaderLine(const std::vector<std::string_view>& words);
-  bool skipTo(const std::string& name);
+  bool skipTo(std::size_t wanted);
   bool readRow(const Element& element, double (*place)[3], std::vector<std::int64_t>* corners);
   bool readList(const Property& property, std::vector<std::int64_t>* corners);
   bool next(const Type& type, double& value);
   bool nextWord(double& value);
+  bool skipWord();
   double binaryValue(const Type& type) const;
 
   std::string_view text_;
@@ -80,9 +91,9 @@ class PolygonFile {
   std::string_view infiniteWord_, infinitePlace_;
   bool inHeader_ = true;
   Encoding encoding_ = Encoding::Text;
-  bool restOfLine_ = false;  ///< behind the place of a vertex stands more that is passed over
+  bool skipsRestOfVertex_ = false, skipsRestOfFace_ = false;  ///< more stands in the line that is passed over
   std::vector<Element> elements_;
-  std::size_t element_ = 0;
+  std::size_t element_ = 0, verticesAt_ = 0, facesAt_ = 0;
 };
 
 }  // namespace mien

@@ -1,9 +1,10 @@
 #include "StlText.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <functional>
+#include <random>
 #include <unordered_map>
 #include <vector>
 
@@ -19,12 +20,28 @@ namespace {
 
 constexpr std::size_t stlTitle = 80, stlHeader = 84, stlTriangle = 50, stlNormal = 12;  // bytes
 
-struct PlaceHash {
-  std::size_t operator()(const std::array<double, 3>& place) const {
-    std::size_t hash = 0;
-    for (const double x : place) hash = hash * 1000003 + std::hash<double>()(x);  // 0 and -0 have the same
-    return hash;
+/// Multilinear hash of a place's six words of 32 bits with keys drawn anew for every file, so that no file can be made
+/// whose places collide (Dietzfelbinger 1996); vertices are numbered as they come, whatever the keys.
+class PlaceHash {
+ public:
+  PlaceHash() {
+    std::random_device random;
+    for (std::uint64_t& key : keys_) key = static_cast<std::uint64_t>(random()) << 32 | random();
   }
+
+  std::size_t operator()(const std::array<double, 3>& place) const {
+    std::uint64_t sum = keys_[6];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double x = place[i] + 0.0;  // -0 becomes 0
+      std::uint64_t bits;
+      std::memcpy(&bits, &x, sizeof bits);
+      sum += keys_[2 * i] * (bits >> 32) + keys_[2 * i + 1] * (bits & 0xffffffff);
+    }
+    return static_cast<std::size_t>(sum >> 32);
+  }
+
+ private:
+  std::array<std::uint64_t, 7> keys_;
 };
 
 /// The mesh of corners that come three by three, those at the same place being one vertex.
@@ -52,7 +69,10 @@ class StlWords {
  public:
   /// @return nothing, or what is wrong
   std::string read(const std::vector<std::string_view>& words, Corners& corners) {
-    const std::string first = inSmallLetters(words[0]);
+    std::string first = inSmallLetters(words[0]);
+    if (first == "end" && words.size() > 1) first += inSmallLetters(words[1]);
+    if (first == "solid" || first == "facet") ended = false;
+    if (ended) return {};
     ended = first == "endsolid";
     if (first == "outer") loop_.clear();
     if (first == "vertex") {
@@ -126,14 +146,34 @@ std::optional<MeshFault> readStlBytes(std::string_view text, MeshText& read) {
   return corners.finish(read);
 }
 
-}  // namespace
-
-bool isTextStl(std::string_view text) {
-  return inSmallLetters(text.substr(0, 5)) == "solid" && text.find('\0') == std::string_view::npos;
+bool hasWord(std::string_view text, std::string_view small) {
+  const auto isSame = [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; };
+  return std::search(text.begin(), text.end(), small.begin(), small.end(), isSame) != text.end();
 }
 
+/// Letters in the place of the number of triangles promise more than any text holds.
+bool fitsBytes(std::string_view text) {
+  if (text.size() < stlHeader) return false;
+  const std::uint64_t count = littleEndian(text.data() + stlTitle);
+  return count > 0 && stlHeader + stlTriangle * count <= text.size();
+}
+
+bool hasControlBytes(std::string_view text) {
+  const auto isControl = [](char c) { return (c >= 0 && c < 9) || (c > 13 && c < 32); };
+  return std::any_of(text.begin(), text.end(), isControl);
+}
+
+}  // namespace
+
 std::optional<MeshFault> readStlText(std::string_view text, MeshText& read) {
-  return isTextStl(text) ? readStlLines(text, read) : readStlBytes(text, read);
+  if (fitsBytes(text)) return readStlBytes(text, read);
+  const std::string_view written = text.substr(0, text.find_last_not_of('\0') + 1);  // some pad their text to blocks
+  if (hasWord(written, "facet") && hasWord(written, "vertex")) return readStlLines(written, read);
+  if (hasControlBytes(written) || (text.size() >= stlHeader && littleEndian(text.data() + stlTitle) == 0))
+    return readStlBytes(text, read);
+  return MeshFault{0,
+                   "this is no STL file (it is text without a vertex); export the scan again, or give the file its "
+                   "right ending"};
 }
 
 }  // namespace mien

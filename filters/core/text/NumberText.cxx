@@ -28,8 +28,22 @@ std::optional<double> parseNumber(std::string_view text) {
   text = withoutPlus(text);
   double number = 0.0;
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (fault != std::errc() || end != text.data() + text.size() || !std::isfinite(number)) return std::nullopt;
+  if (fault == std::errc::result_out_of_range) number = outOfRangeNumber(text);
+  if (fault == std::errc::invalid_argument || end != text.data() + text.size() || !std::isfinite(number))
+    return std::nullopt;
   return number;
+}
+
+double outOfRangeNumber(std::string_view text) {
+  const std::size_t exponentAt = std::min(text.find_first_of("eE"), text.size());
+  const std::string_view digits = text.substr(0, exponentAt);
+  const std::size_t dot = std::min(digits.find('.'), digits.size()), first = digits.find_first_of("123456789");
+  if (first == std::string_view::npos) return 0.0;
+  const double place = static_cast<double>(dot) - static_cast<double>(first);
+  const std::string_view exponent = text.substr(std::min(exponentAt + 1, text.size()));
+  const bool isSmall = place + static_cast<double>(parseWholeNumber(exponent).value_or(0)) < 0.0;
+  const double size = isSmall ? 0.0 : std::numeric_limits<double>::infinity();
+  return text.substr(0, 1) == "-" ? -size : size;
 }
 
 std::optional<std::int64_t> parseWholeNumber(std::string_view text) {

@@ -8,8 +8,12 @@
 
 namespace mien {
 
-/// A finite decimal number that fills the whole text, with a dot whatever the locale; a leading + is allowed.
+/// A finite decimal number that fills the whole text, with a dot whatever the locale; a leading + is allowed. One too
+/// small to hold becomes 0.
 std::optional<double> parseNumber(std::string_view text);
+
+/// What a decimal number is that std::from_chars called out of range: 0 where it is too small to hold, else infinite.
+double outOfRangeNumber(std::string_view text);
 
 /// A whole number that fills the whole text; one too large to hold becomes the largest (smallest) there is.
 std::optional<std::int64_t> parseWholeNumber(std::string_view text);

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <QSpinBox>
+
+#include "RealMinus.h"
+
+namespace mien {
+
+/// A field for a number that writes the minus sign of the labels and figures beside it (U+2212), and reads that of the
+/// keyboard as well. Box is QSpinBox or QDoubleSpinBox, Number what it holds.
+template <class Box, class Number>
+class SignedBox : public Box {
+ public:
+  using Box::Box;
+
+  QString textFromValue(Number value) const override { return withRealMinus(Box::textFromValue(value)); }
+  Number valueFromText(const QString& text) const override { return Box::valueFromText(typed(text)); }
+  QValidator::State validate(QString& text, int& position) const override {
+    QString read = typed(text);
+    const QValidator::State state = Box::validate(read, position);
+    text = withRealMinus(read);
+    return state;
+  }
+
+ private:
+  static QString typed(QString text) { return text.replace(QChar(0x2212), '-'); }
+};
+
+using SignedNumberBox = SignedBox<QDoubleSpinBox, double>;
+using SignedWholeBox = SignedBox<QSpinBox, int>;
+
+}  // namespace mien
