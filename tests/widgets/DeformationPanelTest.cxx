@@ -289,7 +289,7 @@ TEST_F(DeformationPanel, NumbersOutsideTheRangeAreRedAndBoldAndNoOthers) {
   EXPECT_TRUE(std::includes(outside.begin(), outside.end(), marked.begin(), marked.end()));
   EXPECT_GT(4 * marked.size(), 3 * outside.size()) << "only what reads as the limit is not marked";
   const auto* detail = find<mien::ElidedLabel>("deformationDetail");
-  EXPECT_EQ(detail->text().toStdString(), "Red and bold: outside mean \u00b1 sd of joy");
+  EXPECT_EQ(detail->text().toStdString(), "Red and bold: outside mean \u00b1 sd of joy by 0.01 or more");
 }
 
 /// In a window of the usual size.

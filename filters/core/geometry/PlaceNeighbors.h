@@ -19,6 +19,7 @@ class PlaceNeighbors {
     int place;
     float weight;
   };
+  /// Those of one place.
   struct Range {
     const Neighbor *first, *last;
     const Neighbor* begin() const { return first; }
