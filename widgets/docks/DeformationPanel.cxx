@@ -66,7 +66,6 @@ DeformationPanel::DeformationPanel(FaceModel* model, FaceView* view, QWidget* pa
       detail_(new ElidedLabel(this)),
       origin_(new ElidedLabel(this)),
       expression_(new ElidedLabel(this)),
-      ofWhat_(new ElidedLabel(this)),
       unit_(new QLabel(tr("Not explained (pu)"), figure_)),
       onFace_(new QToolButton(this)) {
   setObjectName("deformationPanel");
@@ -124,8 +123,6 @@ void DeformationPanel::describeControls() {
   origin_->setProperty("faint", true);
   origin_->setToolTip(tr("The neutral face A that the table is fitted from"));
   expression_->setProperty("heading", true);
-  ofWhat_->setObjectName("deformationOfWhat");
-  ofWhat_->setProperty("faint", true);
   figure_->setMinimumWidth(leastFigure);
   figure_->setAccessibleName(tr("Movement that each expression does not explain"));
   figure_->setToolTip(
@@ -202,7 +199,6 @@ QWidget* DeformationPanel::expressionColumn() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(2);
   column->addWidget(expression_);
-  column->addWidget(ofWhat_);
   unit_->setObjectName("deformationUnit");
   unit_->setProperty("faint", true);
   unit_->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -269,7 +265,6 @@ void DeformationPanel::showExpression() {
   Figure shown = figure();
   const auto& fit = present_->fit();
   expression_->setVisible(!shown.panels.empty());
-  ofWhat_->setVisible(!shown.panels.empty());
   unit_->setVisible(!shown.panels.empty());
   if (shown.panels.empty()) {
     figure_->setHint(fit ? fit->fault.isEmpty() ? tr("The face does not move: there is no expression to name.")
@@ -280,7 +275,6 @@ void DeformationPanel::showExpression() {
     const QString name = QString::fromStdString(PresentTable::expressions()[score.expression]);
     const QString percent = QString::number(100.0 * score.intensity, 'f', 0);
     expression_->setText(tr("Nearest: %1, %2 %").arg(name, percent));
-    ofWhat_->setText(tr("of the mean %1 table").arg(name));
     expression_->setToolTip(tr("The movement from A to the present face is nearest to %2 % of the mean %1 table: the "
                                "one that explains most of it, at the factor, 50 % to 150 %, that suits it best")
                                 .arg(name, percent));

@@ -59,7 +59,7 @@ class DeformationPanel : public QWidget {
   QStackedWidget* pages_;
   QWidget* range_;
   QComboBox *shown_, *mean_;
-  ElidedLabel *detail_, *origin_, *expression_, *ofWhat_;
+  ElidedLabel *detail_, *origin_, *expression_;
   QLabel* unit_;
   QToolButton* onFace_;
 };
