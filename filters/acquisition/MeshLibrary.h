@@ -6,7 +6,7 @@
 
 namespace mien {
 
-/// The version of the library that reads and decimates meshes, OpenMesh: "9.0".
+/// The version of the library that decimates meshes, OpenMesh: "9.0".
 MIENACQUISITION_EXPORT std::string meshLibraryVersion();
 
 }  // namespace mien

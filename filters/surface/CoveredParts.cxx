@@ -128,6 +128,7 @@ bool isCounted(vtkDataArray* cover, vtkIdType point) {
 /// Of all points that do not count.
 void takeNumbers(vtkPolyData* surface) {
   vtkPointData* data = surface->GetPointData();
+  vtkDataArray* cover = data->GetArray(coverName);
   for (const char* name : {"Distance", "DistanceVector"}) {
     vtkDataArray* array = data->GetArray(name);
     if (!array) continue;
@@ -135,8 +136,7 @@ void takeNumbers(vtkPolyData* surface) {
     rest->DeepCopy(array);
     const double none = array->GetNumberOfComponents() == 1 ? std::numeric_limits<double>::quiet_NaN() : 0.0;
     for (vtkIdType i = 0; i < rest->GetNumberOfTuples(); ++i)
-      for (int k = 0; k < rest->GetNumberOfComponents() && !isCounted(data->GetArray(coverName), i); ++k)
-        rest->SetComponent(i, k, none);
+      for (int k = 0; k < rest->GetNumberOfComponents() && !isCounted(cover, i); ++k) rest->SetComponent(i, k, none);
     data->AddArray(rest);
   }
 }

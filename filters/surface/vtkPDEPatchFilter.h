@@ -10,7 +10,8 @@
  * (v / 2 pi, 1 - u), optionally `Su`, `Sv`; cell array `PatchId` = 0.
  *
  * Equation: (d2/du2 + a^2 d2/dv2)^m S = 0 [Sheng et al. 2011, eq. 1-11, for any order 2m].
- * Errors: curves that are not closed or differ in length, conditions that do not determine a surface.
+ * Errors: curves that are not closed, differ in length or go past 1e15; conditions that do not determine a surface, and
+ * a and N with which it exceeds its curves more than 1e37 times, as through inner curves where a (N + 1) passes 250.
  */
 #ifndef vtkPDEPatchFilter_h
 #define vtkPDEPatchFilter_h

@@ -70,6 +70,13 @@ TEST(FAPSequence, VisemesAndExpressionsMixByTheirWeights) {
   EXPECT_EQ(grown.viseme.blend, 0.25 * 63.0);
 }
 
+TEST(FAPSequence, BetweenFramesWithoutVisemesThereIsNone) {
+  FAPSequence sequence = ramp(2, 1.0);
+  sequence.frames[0] = sequence.frameAtTime(0.5, true);
+  EXPECT_EQ(sequence.frames[0].viseme.blend, 0.0);
+  EXPECT_EQ(sequence.fapsUsed(), std::vector<int>{53});
+}
+
 /// The same pair the other way round is the same face.
 TEST(FAPSequence, WeightsBelongToWhatIsSelectedAndNotToItsPlace) {
   FAPSequence sequence = ramp(2, 1.0);

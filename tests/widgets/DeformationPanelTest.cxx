@@ -289,7 +289,8 @@ TEST_F(DeformationPanel, NumbersOutsideTheRangeAreRedAndBoldAndNoOthers) {
   EXPECT_TRUE(std::includes(outside.begin(), outside.end(), marked.begin(), marked.end()));
   EXPECT_GT(4 * marked.size(), 3 * outside.size()) << "only what reads as the limit is not marked";
   const auto* detail = find<mien::ElidedLabel>("deformationDetail");
-  EXPECT_EQ(detail->text().toStdString(), "Red and bold: outside mean \u00b1 sd of joy by 0.01 or more");
+  EXPECT_EQ(detail->text().toStdString(),
+            "Red and bold: outside mean \u00b1 sd of joy by 1 in the last decimal or more");
 }
 
 /// In a window of the usual size.

@@ -180,7 +180,8 @@ QString CoefficientTable::detail() const {
 
 QString CoefficientTable::legend() const {
   if (!shown_ || !hasMean_) return tr("Choose a coefficient to read it with its range.");
-  return tr("Red and bold: outside mean \u00b1 sd of %1 by 0.01 or more").arg(QString::fromStdString(meanName_));
+  return tr("Red and bold: outside mean \u00b1 sd of %1 by 1 in the last decimal or more")
+      .arg(QString::fromStdString(meanName_));
 }
 
 QString CoefficientTable::wordsOf(int region, int coefficient) const {

@@ -11,11 +11,13 @@
 #include "FaceNote.h"
 #include "HighLevelFAPs.h"
 #include "MotionReach.h"
+#include "MouthSack.h"
 #include "NamedTables.h"
 #include "PipelineErrors.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkFAPAnimationFilter.h"
 #include "vtkFAPReader.h"
+#include "vtkPolyData.h"
 
 namespace mien {
 
@@ -306,6 +308,14 @@ int FaceModel::frameIndex() const {
 
 std::string FaceModel::frameText() const {
   return frameCount() > 0 ? "frame " + frameNumber().toStdString() : std::string();
+}
+
+vtkPolyData* FaceModel::mouth() {
+  auto* curves = vtkPolyData::SafeDownCast(pipeline_.shownCurves()->GetOutputDataObject(0));
+  const vtkMTimeType now = curves ? curves->GetMTime() : 0;
+  if (!mouth_ || mouthTime_ != now) mouth_ = mouthSack(curves);
+  mouthTime_ = now;
+  return mouth_;
 }
 
 std::string FaceModel::motionText() const {

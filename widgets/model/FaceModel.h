@@ -12,8 +12,11 @@
 #include "FAPSequence.h"
 #include "FacePipeline.h"
 #include "FaceState.h"
+#include "vtkSmartPointer.h"
 
 class QTimer;
+
+class vtkPolyData;
 
 namespace mien {
 
@@ -65,12 +68,13 @@ class FaceModel : public QObject {
   /// @return whether they were good; else all stays as it was
   bool openCurves(const QString& fileName);
 
-  int frameCount() const;           ///< of the open animation; 0 without one
-  double framesPerSecond() const;   ///< of the open animation; 0 without one
-  int frameIndex() const;           ///< from 0; between two frames that of the one before
-  double framePosition() const;     ///< from 0; between two frames only while interpolating
-  QString frameNumber() const;      ///< as written in the file
-  std::string frameText() const;    ///< "frame 100"; empty without an animation
+  int frameCount() const;          ///< of the open animation; 0 without one
+  double framesPerSecond() const;  ///< of the open animation; 0 without one
+  int frameIndex() const;          ///< from 0; between two frames that of the one before
+  double framePosition() const;    ///< from 0; between two frames only while interpolating
+  QString frameNumber() const;     ///< as written in the file
+  std::string frameText() const;   ///< "frame 100"; empty without an animation
+  vtkPolyData* mouth();  ///< the inside of the mouth as the face is now (MouthSack.h), made once for all views
   std::string motionText() const;   ///< what moves the face, in words; empty at rest
   void showFrame(double position);  ///< from 0; brought to the nearer end when outside
 
@@ -130,6 +134,8 @@ class FaceModel : public QObject {
   bool reopened_ = false;
   std::set<int> reported_;  ///< FAPs of the animation that move nothing, as far as the user knows
   std::unique_ptr<MotionReach> reach_;
+  vtkSmartPointer<vtkPolyData> mouth_;
+  vtkMTimeType mouthTime_ = 0;  ///< of the curves that it belongs to
 };
 
 }  // namespace mien

@@ -123,7 +123,7 @@ void CurveView::addSkin() {
 void CurveView::follow() {
   auto* shown = vtkPolyData::SafeDownCast(model().pipeline().shownCurves()->GetOutputDataObject(0));
   if (!shown) return;
-  mouth_.follow(shown);
+  mouth_.follow(model().mouth());
   curves_->ShallowCopy(shown);
   spacing_ = spacingOf(shown);
   const auto movement = curveMovement(shown, !withHead_);

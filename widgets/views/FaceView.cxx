@@ -49,9 +49,7 @@ FaceView::FaceView(FaceModel* model, QWidget* parent) : RenderView(model, parent
   texture_->EdgeClampOn();
   addSurface();
   dress();
-  const auto followMouth = [this, model] {
-    mouth_.follow(vtkPolyData::SafeDownCast(model->pipeline().shownCurves()->GetOutputDataObject(0)));
-  };
+  const auto followMouth = [this, model] { mouth_.follow(model->mouth()); };
   connect(model, &FaceModel::updated, this, followMouth);
   followMouth();
 }

@@ -19,8 +19,8 @@ MouthActor::MouthActor(vtkRenderer* renderer) {
   renderer->AddActor(actor_);
 }
 
-void MouthActor::follow(vtkPolyData* curves) {
-  mapper_->SetInputData(mouthSack(curves));
+void MouthActor::follow(vtkPolyData* mouth) {
+  mapper_->SetInputData(mouth);
 }
 
 vtkProperty* MouthActor::property() {

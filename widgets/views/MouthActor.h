@@ -15,7 +15,7 @@ class MouthActor {
  public:
   explicit MouthActor(vtkRenderer* renderer);
 
-  void follow(vtkPolyData* curves);  ///< as the face is now
+  void follow(vtkPolyData* mouth);  ///< as the face is now (FaceModel::mouth)
   void setVisible(bool visible);
   vtkProperty* property();
   void setBehind(double units);  ///< of depth, so that curves on its rim are seen

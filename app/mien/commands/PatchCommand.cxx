@@ -60,7 +60,7 @@ void setOptions(const PatchCommandOptions& options, vtkPDEPatchFilter* patch) {
   patch->SetOutputPointsPrecision(doublePrecision ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::SINGLE_PRECISION);
 }
 
-/// What is wrong with the curves and their arrays, whatever the options.
+/// What is wrong with the curves, their arrays and the conditions, whatever a, N and resolution.
 void requirePatch(const PatchCommandOptions& options, vtkPolyData* curves) {
   vtkNew<vtkPDEPatchFilter> patch;
   PipelineErrors errors;

@@ -54,7 +54,7 @@ std::optional<Selections> mixture(const Selections& before, const Selections& af
 
 Viseme mixture(const Viseme& before, const Viseme& after, double weight) {
   const auto mixed = mixture(selectionsOf(before), selectionsOf(after), weight);
-  if (!mixed || before.definition != after.definition) return before;
+  if (!mixed || before.definition != after.definition || mixed->front().selected == 0.0) return before;
   const Selection &first = mixed->front(), &second = mixed->back();
   return {first.selected, second.selected, first.weight, before.definition};
 }

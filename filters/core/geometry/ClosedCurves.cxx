@@ -30,7 +30,8 @@ std::string describePointFault(const ClosedCurves& curves, const std::function<s
     const double largest = curves.points.row(row).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
     if (largest <= ClosedCurves::largestCoordinate) continue;
     return "curve " + nameOfCurve(row / k) + ", point " + std::to_string(row % k) + " (counted from 0) " +
-           (std::isfinite(largest) ? "lies past 1e+15; give coordinates in mm" : "is not a finite number");
+           (std::isfinite(largest) ? "lies past 1e+15, where single precision ends; give coordinates in a larger unit"
+                                   : "is not a finite number");
   }
   return {};
 }
