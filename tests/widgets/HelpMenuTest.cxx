@@ -224,7 +224,7 @@ TEST_F(HelpMenu, TheTourComesOnceForAUserAndNeverToATest) {
   QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, folder.path());
   QCoreApplication::setOrganizationName("mien-test");
   mien::Tour::showAtFirstStart(*window);
-  EXPECT_TRUE(QTest::qWaitFor([this] { return shownTour(); }));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return shownTour(); }, 20000));
   QTest::keyClick(shownTour(), Qt::Key_Escape);
   settle();
   mien::Tour::showAtFirstStart(*window);

@@ -158,7 +158,7 @@ TEST_F(RandomInput, TwoThousandClicksAndKeysLeaveAWindowThatWorks) {
     settle();
     if (!window->isVisible()) window->show();  // it was closed
   }
-  ASSERT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }));
+  ASSERT_TRUE(QTest::qWaitFor([] { return !QApplication::activeModalWidget(); }, 20000));
   window->setUpdatesEnabled(true);
   window->history().record();
   EXPECT_GT(window->history().count(), 50) << "it did something";

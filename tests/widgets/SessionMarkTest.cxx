@@ -44,7 +44,6 @@ TEST_F(SessionMark, AColourThatIsChosenIsAStep) {
   QTest::qWait(600);  // a list that has just opened takes no release
   const QModelIndex item = colors->model()->index(row, 0);
   colors->view()->scrollTo(item);
-  QTest::mouseMove(colors->view()->viewport(), colors->view()->visualRect(item).center());
   QTest::mouseClick(colors->view()->viewport(), Qt::LeftButton, Qt::NoModifier,
                     colors->view()->visualRect(item).center());
   QTest::qWait(600);

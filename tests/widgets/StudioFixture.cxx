@@ -94,6 +94,12 @@ void StudioFixture::dragTo(QWidget* widget, const QPoint& position) {
   QApplication::sendEvent(widget, &move);
 }
 
+void StudioFixture::drag(QWidget* widget, const QPoint& from, const QPoint& by) {
+  QTest::mousePress(widget, Qt::LeftButton, Qt::NoModifier, from);
+  for (int i = 1; i <= 4; ++i) dragTo(widget, from + by * i / 4);
+  QTest::mouseRelease(widget, Qt::LeftButton, Qt::NoModifier, from + by);
+}
+
 int StudioFixture::colorsIn(const QString& viewName) {
   settle();
   const QImage image = find<QWidget>(viewName)->grab().toImage();

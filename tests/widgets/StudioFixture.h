@@ -34,15 +34,18 @@ class StudioFixture : public testing::Test {
 
   void settle();  ///< lets changes reach the pipeline and the screen
   void drawViews();
-  bool waitUntil(const std::function<bool()>& condition, int milliseconds = 5000);
+  bool waitUntil(const std::function<bool()>& condition, int milliseconds = 20000);
 
   /// Where a point of the curves is, in mm, to see whether it moves.
   double largestDisplacement();
   double largestMovement();  ///< the same, of the last update, without drawing
   vtkPolyData* surface();
 
-  /// With the left button down, which QTest::mouseMove cannot do.
+  /// With the left button down. QTest::mouseMove cannot do that: it moves the pointer of the display, whose own events
+  /// arrive when the server pleases, after the release on a busy computer.
   void dragTo(QWidget* widget, const QPoint& position);
+  /// Presses, moves in four steps and releases.
+  void drag(QWidget* widget, const QPoint& from, const QPoint& by);
 
   int colorsIn(const QString& viewName);  ///< how many different colours a view shows; a blank one few
   QString message();                      ///< what the message bar shows; empty when it is hidden

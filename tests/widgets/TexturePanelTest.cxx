@@ -58,10 +58,7 @@ class TexturePanel : public StudioFixture {
     QApplication::processEvents();
   }
   void drag(mien::MeshNode node, const QPoint& by) {
-    const QPoint from = mesh->pixelOf(node).toPoint();
-    QTest::mousePress(mesh, Qt::LeftButton, Qt::NoModifier, from);
-    for (int i = 1; i <= 4; ++i) dragTo(mesh, from + by * i / 4);
-    QTest::mouseRelease(mesh, Qt::LeftButton, Qt::NoModifier, from + by);
+    StudioFixture::drag(mesh, mesh->pixelOf(node).toPoint(), by);
   }
   mien::WarpMesh stored() {
     mien::WarpMesh read;
