@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QLocale>
 #include <QSurfaceFormat>
 #include <cstdio>
 #include <cstdlib>
@@ -106,6 +107,7 @@ int main(int argc, char** argv) {
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
 #endif
   const QtMessageHandler usual = qInstallMessageHandler(sayWithoutDisplay);
+  QLocale::setDefault(QLocale::c());  // numbers of fields as those of labels, figures, files and commands beside them
   QApplication application(argc, argv);
   qInstallMessageHandler(usual);
   read(arguments, options, application);

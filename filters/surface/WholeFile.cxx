@@ -21,9 +21,23 @@ bool WholeFile::fill(const std::string& bytes) const {
 }
 
 bool WholeFile::commit() {
+  return !replace(name_, temporaryName_);
+}
+
+std::string WholeFile::targetOf(const std::string& name) {
   std::error_code fault;
-  std::filesystem::rename(temporaryName_, name_, fault);
-  return !fault;
+  if (!std::filesystem::is_symlink(name, fault)) return name;
+  const std::filesystem::path target = std::filesystem::canonical(name, fault);
+  return fault ? name : target.string();
+}
+
+std::error_code WholeFile::replace(const std::string& name, const std::string& temporaryName) {
+  std::error_code fault;
+  const std::filesystem::file_status before = std::filesystem::status(name, fault);
+  if (std::filesystem::is_regular_file(before))
+    std::filesystem::permissions(temporaryName, before.permissions(), fault);  // as well as may be
+  std::filesystem::rename(temporaryName, name, fault);
+  return fault;
 }
 
 std::string WholeFile::write(const std::string& name, const std::string& bytes) {

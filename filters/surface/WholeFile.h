@@ -1,16 +1,18 @@
 #pragma once
 
 #include <string>
+#include <system_error>
 
 #include "MienSurfaceModule.h"
 
 namespace mien {
 
 /// A file that appears only when it is complete: it is written under a temporary name beside its own, and commit()
-/// renames it. What was there before is replaced whole or not at all.
+/// renames it. What was there before is replaced whole or not at all, and keeps its permissions; of a symbolic link
+/// that is the file it leads to.
 class MIENSURFACE_EXPORT WholeFile {
  public:
-  explicit WholeFile(const std::string& name) : name_(name), temporaryName_(temporaryNameOf(name)) {}
+  explicit WholeFile(const std::string& name) : name_(targetOf(name)), temporaryName_(temporaryNameOf(name_)) {}
   ~WholeFile();
   WholeFile(const WholeFile&) = delete;
   WholeFile& operator=(const WholeFile&) = delete;
@@ -27,11 +29,17 @@ class MIENSURFACE_EXPORT WholeFile {
   /// @return nothing, or what is wrong
   static std::string write(const std::string& name, const std::string& bytes);
 
+  /// The file itself, or what the symbolic link of that name leads to.
+  static std::string targetOf(const std::string& name);
+
+  /// Puts the temporary file in the place of the other, with whose permissions it leaves, if there is one.
+  static std::error_code replace(const std::string& name, const std::string& temporaryName);
+
   /// A hidden file of this program's own beside the one named, with the same ending in small letters.
   static std::string temporaryNameOf(const std::string& name);
 
   static constexpr const char* unwritable =
-      "it cannot be written; give a file in a folder that exists and may be written to";
+      "it cannot be written; give a file in a folder that exists, may be written to and has space left";
 
  private:
   std::string name_, temporaryName_;

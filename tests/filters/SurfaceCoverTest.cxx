@@ -13,6 +13,7 @@
 #include "vtkAppendPolyData.h"
 #include "vtkBoundaryCurveReader.h"
 #include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkPDEFaceFilter.h"
 #include "vtkPoints.h"
 #include "vtkTable.h"

@@ -13,7 +13,7 @@ draw() {
 }
 
 draw studio 1280x800 expression=joy
-draw studio_compare 1280x800 "compare=This state" expression=joy choose=compareArrows:2 wait=2000
+draw studio_compare 1280x800 "compare=Keep this state" expression=joy choose=compareArrows:2 wait=2000
 draw dock_vectors 1280x800 expression=joy dock=vectorsDock wait=3000
 draw dock_spectrum 1280x800 dock=spectrumDock choose=spectrumMode:2
 draw dock_smoothing 1280x1060 dock=smoothingDock press=smoothingAllSchemes wait=9000 choose=smoothingMeasure:1

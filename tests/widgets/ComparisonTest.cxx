@@ -76,6 +76,50 @@ class Comparison : public StudioFixture {
 
 constexpr int nothing = 0, thisState = 1;
 
+/// A scan in metres, centimetres or inches compared as if it were in mm.
+TEST_F(Comparison, AMeshInAnotherUnitIsDoubted) {
+  openMeshOfA();
+  EXPECT_EQ(message(), "");
+  const QTemporaryDir folder;
+  for (const auto& [unit, scale] :
+       {std::pair<const char*, double>{"metres", 1e-3}, {"centimetres", 0.1}, {"inches", 1 / 25.4}}) {
+    vtkNew<vtkPolyData> scaled;
+    scaled->DeepCopy(surface());
+    for (vtkIdType i = 0; i < scaled->GetNumberOfPoints(); ++i) {
+      double p[3];
+      scaled->GetPoint(i, p);
+      scaled->GetPoints()->SetPoint(i, scale * p[0], scale * p[1], scale * p[2]);
+    }
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    const QString file = folder.filePath("scaled.vtp");
+    writer->SetFileName(file.toUtf8().constData());
+    writer->SetInputData(scaled);
+    ASSERT_TRUE(writer->Write());
+    comparison()->openMesh(file);
+    EXPECT_TRUE(message().contains(QString("it may be in ") + unit)) << message().toStdString();
+  }
+}
+
+/// What was chosen is a command; the list then says what came of it.
+TEST_F(Comparison, TheListSaysWithWhatTheFaceIsCompared) {
+  const int entries = choice()->count();
+  EXPECT_EQ(choice()->currentText(), "Nothing");
+  choose(thisState);
+  EXPECT_EQ(choice()->currentText(), "Kept: the neutral face");
+  smile();
+  EXPECT_EQ(choice()->currentText(), "Kept: the neutral face");
+  choose(thisState);
+  EXPECT_EQ(choice()->currentText(), "Kept: " + QString::fromStdString(window->model().motionText()));
+  openMeshOfA();
+  EXPECT_EQ(choice()->currentText(), "joy.vtp");
+  EXPECT_EQ(choice()->count(), entries + 1);
+  comparison()->compareScheme("four-curve");
+  EXPECT_EQ(choice()->currentText(), "Scheme four-curve");
+  choose(nothing);
+  EXPECT_EQ(choice()->currentText(), "Nothing");
+  EXPECT_EQ(choice()->count(), entries);
+}
+
 /// A pinned neutral face against joy: the same mesh, so the difference is that of the points, to the bit.
 TEST_F(Comparison, OfOneMeshIsTheDifferenceOfItsPoints) {
   choose(thisState);
@@ -207,14 +251,14 @@ TEST_F(Comparison, ClosingItShowsTheCurvesAndTheSkinAgain) {
   choose(thisState);
   EXPECT_TRUE(find<QWidget>("otherFaceView")->isVisible());
   EXPECT_FALSE(curves->isVisible());  // no room for three in this window
-  EXPECT_EQ(find<QComboBox>("colorBy")->currentText(), "Difference of A and B (mm)");
+  EXPECT_EQ(find<QComboBox>("colorBy")->currentText(), "Difference A\u2013B (mm)");
   find<QToolButton>("compareClear")->click();
   settle();
   EXPECT_EQ(comparison()->kind(), Kind::None);
   EXPECT_FALSE(find<QWidget>("otherFaceView")->isVisible());
   EXPECT_TRUE(curves->isVisible());
   EXPECT_EQ(find<QComboBox>("colorBy")->currentText(), "Skin");
-  EXPECT_EQ(find<QComboBox>("colorBy")->findText("Difference of A and B (mm)"), -1);
+  EXPECT_EQ(find<QComboBox>("colorBy")->findText("Difference A\u2013B (mm)"), -1);
   EXPECT_EQ(choice()->currentIndex(), nothing);
 }
 

@@ -118,7 +118,7 @@ TEST_F(ExportDialog, AComparisonHasBothFaces) {
   const QByteArray text = lines(path("both.svg")).join('\n');
   EXPECT_TRUE(text.contains(">A: joy<")) << "as text";
   EXPECT_TRUE(text.contains(">B: the neutral face<"));
-  EXPECT_TRUE(text.contains(">Difference of A and B (mm)<"));
+  EXPECT_TRUE(text.contains(">Difference A\u2013B (mm)<"));
   EXPECT_EQ(text.count("<image"), 2);
   ASSERT_TRUE(face()->write(path("both.png")));
   const QImage both(path("both.png"));

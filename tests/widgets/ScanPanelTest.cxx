@@ -258,7 +258,7 @@ TEST_F(ScanPanel, WithAScanBothFacesOfAComparisonAreOfOneScale) {
     auto* view = find<mien::FaceView>(name);
     return view->camera()->GetDistance() / view->height();  // as the angle of view is one
   };
-  for (const char* coloring : {"Difference of A and B (mm)", "Skin"}) {
+  for (const char* coloring : {"Difference A\u2013B (mm)", "Skin"}) {
     find<QComboBox>("colorBy")->setCurrentText(coloring);
     settle();
     EXPECT_NEAR(scale("otherFaceView"), scale("faceView"), 0.01 * scale("faceView")) << coloring;

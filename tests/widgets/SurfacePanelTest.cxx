@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLocale>
 #include <QPushButton>
 #include <QSpinBox>
 #include <cmath>
@@ -13,6 +14,21 @@
 namespace {
 
 using SurfacePanel = StudioFixture;
+
+/// Qt drops the sign that its language takes for grouping digits: 2,5 was 25.
+TEST_F(SurfacePanel, APointAndACommaAreTheDecimalSign) {
+  auto* smoothing = find<QDoubleSpinBox>("surfaceSmoothing");
+  for (const QLocale& locale : {QLocale::c(), QLocale(QLocale::German)})
+    for (const char* text : {"2,5", "2.5"}) {
+      smoothing->setLocale(locale);
+      smoothing->setValue(1.0);
+      smoothing->setFocus();
+      smoothing->selectAll();
+      QTest::keyClicks(smoothing, text);
+      QTest::keyClick(smoothing, Qt::Key_Return);
+      EXPECT_EQ(smoothing->value(), 2.5) << text << " in " << locale.name().toStdString();
+    }
+}
 
 TEST_F(SurfacePanel, TheMeshHasTheRowsAndColumnsAskedFor) {
   find<QSpinBox>("surfaceRows")->setValue(29);

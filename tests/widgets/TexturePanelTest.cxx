@@ -57,9 +57,7 @@ class TexturePanel : public StudioFixture {
     ASSERT_TRUE(waitForWhole());
     QApplication::processEvents();
   }
-  void drag(mien::MeshNode node, const QPoint& by) {
-    StudioFixture::drag(mesh, mesh->pixelOf(node).toPoint(), by);
-  }
+  void drag(mien::MeshNode node, const QPoint& by) { StudioFixture::drag(mesh, mesh->pixelOf(node).toPoint(), by); }
   mien::WarpMesh stored() {
     mien::WarpMesh read;
     EXPECT_EQ(mien::readSourceMesh(state().textureMesh, read), "");

@@ -221,7 +221,7 @@ TEST_F(ViewFit, TitlesAndNumbersAreWhole) {
                        "^Point to point, by area of B: RMS [0-9.]+, 95 % \u2264 [0-9.]+, max [0-9.]+ mm$");
     EXPECT_EQ(find<QWidget>("compareSummaryA")->height(), find<QWidget>("compareSummaryB")->height());
     for (const auto* key : find<QWidget>("viewArea")->findChildren<mien::ColorKey*>()) {
-      if (key->isVisible()) EXPECT_EQ(key->shownTitle(), "Difference of A and B (mm)") << size.width();
+      if (key->isVisible()) EXPECT_EQ(key->shownTitle(), "Difference A\u2013B (mm)") << size.width();
     }
     find<mien::ViewArea>("viewArea")->comparison()->clear();
     settle();
@@ -260,7 +260,7 @@ TEST_F(ViewFit, TheFaceOfAHeadIsLargeAndItsNeckIsNotCounted) {
   expectUncountedWithoutNumber(comparison->drawn(mien::Comparison::Side::B), chin() - 15.0);
   const QString summary = comparison->summary(mien::Comparison::Side::B);
   EXPECT_TRUE(summary.startsWith("B to A, ")) << summary.toStdString();
-  EXPECT_TRUE(summary.endsWith(" % opposite: RMS 0.00, 95 % \u2264 0.00, max 0.00 mm")) << summary.toStdString();
+  EXPECT_TRUE(summary.endsWith(" % of A: RMS 0.00, 95 % \u2264 0.00, max 0.00 mm")) << summary.toStdString();
   EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
   const double withHead = distance("faceView");
   compareScheme("tangent");
@@ -291,7 +291,7 @@ TEST_F(ViewFit, CrownAndEarsOfAHeadAreWithinTheView) {
       }
       const double width = seen(a, surface())[2] * a->width();
       if (size.width() == 1280) EXPECT_GE(width, 300.0) << what;
-      if (subject == std::string("03")) expectWholeSummary("compareSummaryA", "^A to B, [0-9]+ % opposite: RMS .* mm$");
+      if (subject == std::string("03")) expectWholeSummary("compareSummaryA", "^A to B, [0-9]+ % of A: RMS .* mm$");
       comparison->clear();
     }
   }

@@ -14,7 +14,7 @@ namespace mien {
 
 namespace {
 
-enum Entry { Nothing, Pinned, Mesh, FirstScheme };
+enum Entry { Nothing, Keep, OpenMesh, Commands };
 
 }  // namespace
 
@@ -42,22 +42,22 @@ ComparisonBar::ComparisonBar(Comparison* comparison, QWidget* parent)
 }
 
 void ComparisonBar::list() {
-  choice_->addItems({tr("nothing"), tr("This state"), tr("Mesh or scan...")});
-  choice_->setItemData(Pinned, tr("Keeps A as it is now; chosen again, A as it is then"), Qt::ToolTipRole);
+  choice_->addItems({tr("Nothing"), tr("Keep this state"), tr("Mesh or scan...")});
+  choice_->setItemData(Keep, tr("Keeps A as it is now; chosen again, A as it is then"), Qt::ToolTipRole);
   for (const FaceScheme& scheme : faceSchemes()) {
     const QString name = QString::fromStdString(scheme.name);
     choice_->addItem(tr("Scheme %1").arg(name), name);
     choice_->setItemData(choice_->count() - 1, QString::fromStdString(scheme.description), Qt::ToolTipRole);
   }
-  choice_->insertSeparator(FirstScheme);
+  choice_->insertSeparator(Commands);
 }
 
 void ComparisonBar::choose(int index) {
   const QString scheme = choice_->itemData(index).toString();
   if (!scheme.isEmpty()) return comparison_->compareScheme(scheme);
   if (index == Nothing) return comparison_->clear();
-  if (index == Pinned) return comparison_->pin();
-  chooseMesh();
+  if (index == Keep) return comparison_->pin();
+  if (index == OpenMesh) chooseMesh();
   follow();  // nothing may have been chosen
 }
 
@@ -68,14 +68,22 @@ void ComparisonBar::chooseMesh() {
   if (!name.isEmpty()) comparison_->openMesh(name);
 }
 
+/// A scheme is an entry of the list. A kept state and a mesh get one while they are shown: what was chosen for them is
+/// a command, and says nothing of them.
 void ComparisonBar::follow() {
   const QSignalBlocker quiet(choice_);
   const Comparison::Kind kind = comparison_->kind();
-  const int index = kind == Comparison::Kind::Scheme  ? choice_->findData(comparison_->scheme())
-                    : kind == Comparison::Kind::State ? Pinned
-                    : kind == Comparison::Kind::Mesh  ? Mesh
-                                                      : Nothing;
-  choice_->setCurrentIndex(index);
+  if (hasShown_) choice_->removeItem(Commands);
+  hasShown_ = kind == Comparison::Kind::State || kind == Comparison::Kind::Mesh;
+  if (hasShown_) choice_->insertItem(Commands, shownText());
+  choice_->setCurrentIndex(hasShown_                          ? Commands
+                           : kind == Comparison::Kind::Scheme ? choice_->findData(comparison_->scheme())
+                                                              : Nothing);
+}
+
+QString ComparisonBar::shownText() const {
+  const bool kept = comparison_->kind() == Comparison::Kind::State;
+  return kept ? tr("Kept: %1").arg(comparison_->name()) : comparison_->name();
 }
 
 }  // namespace mien

@@ -21,9 +21,11 @@ class ComparisonBar : public QWidget {
   void choose(int index);
   void chooseMesh();
   void follow();
+  QString shownText() const;
 
   Comparison* comparison_;
   QComboBox* choice_;
+  bool hasShown_ = false;  ///< whether the list has an entry for the kept state or the mesh
 };
 
 }  // namespace mien

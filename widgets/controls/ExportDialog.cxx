@@ -21,6 +21,7 @@
 #include "FigureFile.h"
 #include "Remembered.h"
 #include "SessionPart.h"
+#include "SignedBox.h"
 
 namespace mien {
 
@@ -69,8 +70,8 @@ ExportDialog::ExportDialog(Exporter* exporter, QWidget* parent)
       exporter_(exporter),
       format_(new QComboBox(this)),
       theme_(new QComboBox(this)),
-      width_(new QDoubleSpinBox(this)),
-      dots_(new QDoubleSpinBox(this)),
+      width_(new SignedNumberBox(this)),
+      dots_(new SignedNumberBox(this)),
       transparent_(new QCheckBox(tr("&Transparent background"), this)),
       preview_(new QLabel(this)),
       size_(new QLabel(this)),

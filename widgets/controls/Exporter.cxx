@@ -2,11 +2,11 @@
 
 #include <QFileInfo>
 #include <QRegularExpression>
-#include <QSaveFile>
 
 #include "FaceModel.h"
 #include "FaceStateText.h"
 #include "FigureFile.h"
+#include "WholeFile.h"
 
 namespace mien {
 
@@ -39,10 +39,8 @@ std::string Exporter::writeFigure(const std::string& fileName, const ExportOptio
 std::string Exporter::writeNumbers(const QString& fileName) const {
   const std::string text = numbers_();
   if (text.empty()) return fileName.toStdString() + ": there are no numbers yet to write; wait until they are shown";
-  QSaveFile file(fileName);
-  const bool written =
-      file.open(QIODevice::WriteOnly) && file.write(text.data(), text.size()) == qint64(text.size()) && file.commit();
-  return written ? std::string() : fileName.toStdString() + ": cannot be written: " + file.errorString().toStdString();
+  const std::string fault = WholeFile::write(fileName.toStdString(), text);
+  return fault.empty() ? fault : fileName.toStdString() + ": " + fault;
 }
 
 bool Exporter::write(const QString& fileName, const ExportOptions& options) const {

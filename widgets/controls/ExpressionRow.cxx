@@ -6,6 +6,7 @@
 #include <QVariant>
 
 #include "PercentSlider.h"
+#include "SignedBox.h"
 #include "ValueSlider.h"
 
 namespace mien {
@@ -17,7 +18,10 @@ constexpr int nameWidth = 84;  // pixels: the longest name, so that sliders begi
 }  // namespace
 
 ExpressionRow::ExpressionRow(const QString& name, const QString& definition, QWidget* parent)
-    : QWidget(parent), name_(new QPushButton(this)), slider_(new ValueSlider(this)), percent_(new QSpinBox(this)) {
+    : QWidget(parent),
+      name_(new QPushButton(this)),
+      slider_(new ValueSlider(this)),
+      percent_(new SignedWholeBox(this)) {
   build(name, definition);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

@@ -10,6 +10,7 @@
 #include <QVariant>
 #include <cmath>
 
+#include "ElidedLabel.h"
 #include "FAPText.h"
 #include "FaceState.h"
 #include "Icons.h"
@@ -47,7 +48,7 @@ FAPRow::FAPRow(const FAPDefinition& fap, double millimetresPerUnit, QWidget* par
       hasPartner_(fap.mirrorPartner != fap.number),
       slider_(new ValueSlider(this)),
       number_(new SignedNumberBox(this)),
-      name_(new QLabel(fapLabel(fap), this)),
+      name_(new ElidedLabel(this)),
       length_(new QLabel(this)),
       reset_(new QToolButton(this)) {
   build(fap);
@@ -61,6 +62,7 @@ FAPRow::FAPRow(const FAPDefinition& fap, double millimetresPerUnit, QWidget* par
 void FAPRow::build(const FAPDefinition& fap) {
   buildSlider(fap);
   buildNumber(fap);
+  name_->setText(fapLabel(fap));
   name_->setObjectName(QString("fapName%1").arg(fap_));
   length_->setObjectName(QString("fapLength%1").arg(fap_));
   length_->setProperty("faint", true);

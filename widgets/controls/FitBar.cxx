@@ -4,7 +4,6 @@
 #include <vtkNew.h>
 #include <vtkTable.h>
 
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -12,7 +11,6 @@
 #include <QToolButton>
 #include <QVariant>
 #include <algorithm>
-#include <filesystem>
 
 #include "DeformationText.h"
 #include "ElidedLabel.h"
@@ -23,14 +21,14 @@
 #include "PresentTable.h"
 #include "SessionPart.h"
 #include "TableText.h"
+#include "WholeFile.h"
 
 namespace mien {
 
 namespace {
 
-/// Appears under its name once it is whole. @return nothing, or what is wrong
+/// @return nothing, or what is wrong
 QString writeFit(const DeformationTable& table, const std::string& comment, const QString& fileName) {
-  const QString part = fileName + ".part";
   vtkNew<vtkTable> data;
   vtkNew<vtkFDTWriter> writer;
   PipelineErrors errors;
@@ -39,15 +37,10 @@ QString writeFit(const DeformationTable& table, const std::string& comment, cons
   if (!excess.empty()) return FitBar::tr("%1 is not written: %2").arg(fileName, QString::fromStdString(excess));
   writeFDT(table, data);
   writer->SetInputData(data);
-  writer->SetFileName(part.toStdString().c_str());
+  writer->SetFileName(fileName.toStdString().c_str());
   writer->SetComment(comment);
   writer->Write();
-  std::error_code failure;
-  if (errors.first().empty()) std::filesystem::rename(part.toStdString(), fileName.toStdString(), failure);
-  if (errors.first().empty() && !failure) return {};
-  QFile::remove(part);
-  return FitBar::tr("%1: it cannot be written; give a file in a folder that exists and may be written to")
-      .arg(fileName);
+  return errors.first().empty() ? QString() : fileName + ": " + WholeFile::unwritable;
 }
 
 }  // namespace

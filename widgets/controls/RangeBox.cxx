@@ -9,7 +9,7 @@ constexpr int boxMargins = 16;    // pixels
 
 }  // namespace
 
-RangeBox::RangeBox(const QString& objectName, double most, QWidget* parent) : QDoubleSpinBox(parent) {
+RangeBox::RangeBox(const QString& objectName, double most, QWidget* parent) : SignedNumberBox(parent) {
   setObjectName(objectName);
   setDecimals(shownDecimals);
   setRange(0.0, most);
@@ -30,7 +30,7 @@ void RangeBox::showAutomatic(double end) {
 
 void RangeBox::stepBy(int steps) {
   if (isAutomatic() && steps > 0 && automatic_ > 0.0) return setValue(automatic_);
-  QDoubleSpinBox::stepBy(steps);
+  SignedNumberBox::stepBy(steps);
 }
 
 }  // namespace mien

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <QDoubleSpinBox>
+#include "SignedBox.h"
 
 namespace mien {
 
 /// Where a range of colours ends, in mm: automatic, which is 0 and shows the end in effect ("auto 10 mm"), or fixed.
-class RangeBox : public QDoubleSpinBox {
+class RangeBox : public SignedNumberBox {
   Q_OBJECT
  public:
   /// @param most  the largest fixed end

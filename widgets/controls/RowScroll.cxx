@@ -88,7 +88,8 @@ void RowScroll::spreadRows(int room) {
   const QMargins margins = widget()->layout()->contentsMargins();
   const int inside = room - margins.top(), all = count * (row + usualSpacing_) - usualSpacing_ + margins.bottom();
   const int shown = std::max(1, inside / row), spare = inside - shown * row;
-  spread_->setSpacing(all <= inside ? usualSpacing_ : std::min(spare / shown, mostBetween));
+  const int spacing = all <= inside ? usualSpacing_ : std::min(spare / shown, mostBetween);
+  if (spacing != spread_->spacing()) spread_->setSpacing(spacing);  // asks for another layout, which comes back here
 }
 
 /// Qt's own way of showing a bar as needed measures before the margin below is set, and may then leave the bar over

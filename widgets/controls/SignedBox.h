@@ -8,7 +8,8 @@
 namespace mien {
 
 /// A field for a number that writes the minus sign of the labels and figures beside it (U+2212), and reads that of the
-/// keyboard as well. Box is QSpinBox or QDoubleSpinBox, Number what it holds.
+/// keyboard as well; and that takes a point and a comma for the decimal sign, whichever the language has: Qt takes the
+/// other one for what groups digits, so that 2,5 would be 25. Box is QSpinBox or QDoubleSpinBox, Number what it holds.
 template <class Box, class Number>
 class SignedBox : public Box {
  public:
@@ -24,7 +25,10 @@ class SignedBox : public Box {
   }
 
  private:
-  static QString typed(QString text) { return text.replace(QChar(0x2212), '-'); }
+  QString typed(QString text) const {
+    for (const QChar sign : {'.', ','}) text.replace(sign, this->locale().decimalPoint());
+    return text.replace(QChar(0x2212), '-');
+  }
 };
 
 using SignedNumberBox = SignedBox<QDoubleSpinBox, double>;

@@ -17,6 +17,7 @@
 #include "ColorTable.h"
 #include "MotionVectorFigure.h"
 #include "RenderView.h"
+#include "SignedBox.h"
 
 namespace mien {
 
@@ -85,7 +86,7 @@ QComboBox* VectorControls::list(const char* name, const QStringList& entries, co
 
 QDoubleSpinBox* VectorControls::number(const char* name, double least, double most, double value, const QString& unit,
                                        const QString& tip) {
-  auto* made = new QDoubleSpinBox(this);
+  auto* made = new SignedNumberBox(this);
   made->setObjectName(name);
   made->setRange(least, most);
   made->setValue(value);

@@ -10,6 +10,7 @@
 #include "AnimationData.h"
 #include "ExpressionLibrary.h"
 #include "PercentSlider.h"
+#include "SignedBox.h"
 #include "ValueSlider.h"
 #include "vtkFAPAnimationFilter.h"
 
@@ -36,7 +37,7 @@ constexpr const char* examples[] = {"put, bed, mill",
 }  // namespace
 
 VisemeRow::VisemeRow(int number, QWidget* parent)
-    : QWidget(parent), name_(new QComboBox(this)), slider_(new ValueSlider(this)), percent_(new QSpinBox(this)) {
+    : QWidget(parent), name_(new QComboBox(this)), slider_(new ValueSlider(this)), percent_(new SignedWholeBox(this)) {
   build(number);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
@@ -55,7 +56,7 @@ void VisemeRow::build(int number) {
   name_->setObjectName("visemeName" + which);
   name_->setAccessibleName(number == 1 ? tr("First viseme") : tr("Second viseme"));
   name_->setToolTip(tr("What the mouth says (a viseme of MPEG-4, FAP 1); two of them mix"));
-  name_->addItem(number == 1 ? tr("No viseme") : tr("No second"), QString());
+  name_->addItem(number == 1 ? tr("No viseme") : tr("No second viseme"), QString());
   const std::vector<std::string> names = vtkFAPAnimationFilter::GetVisemeNames();
   for (size_t i = 0; i < names.size(); ++i) {
     const QString text = QString::fromStdString(names[i]);

@@ -93,7 +93,7 @@ void ContinuityPanel::describeControls() {
   rows_->setToolTip(tr("A row for each of the eight seams, or for each scheme over all seams"));
   part_->setObjectName("continuityPart");
   part_->setAccessibleName(tr("Part of the seams"));
-  part_->addItems({tr("whole"), tr("front only")});
+  part_->addItems({tr("Whole"), tr("Front only")});
   part_->setToolTip(tr("All of a seam, or its part with z > 50 mm"));
   measure_->setObjectName("continuityMeasure");
   measure_->setAccessibleName(tr("Profile"));

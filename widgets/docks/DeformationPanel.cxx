@@ -113,7 +113,7 @@ void DeformationPanel::describeControls() {
       tr("The coefficients of the table fitted from A to the present face, or of the table that bends it"));
   mean_->setObjectName("deformationMean");
   mean_->setAccessibleName(tr("Expression whose range is shown"));
-  mean_->addItem(tr("nearest mean"));
+  mean_->addItem(tr("Nearest mean"));
   for (const std::string& name : PresentTable::expressions()) mean_->addItem(QString::fromStdString(name));
   mean_->setToolTip(tr("The expression whose mean \u00b1 standard deviation over 12 subjects is the acceptable range"));
   detail_->setObjectName("deformationDetail");

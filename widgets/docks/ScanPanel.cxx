@@ -106,7 +106,7 @@ void ScanPanel::describeButtons() {
   makeFramed(cancel_, "scanCancel", tr("Cancel"), tr("Stops measuring the scan"));
   unit_->setObjectName("scanUnit");
   unit_->setAccessibleName(tr("Unit of the scan"));
-  unit_->addItem(tr("Unit found"), QString());
+  unit_->addItem(tr("Unit: automatic"), QString());
   for (const char* unit : {"mm", "cm", "m", "inch"}) unit_->addItem(unit, unit);
   unit_->setToolTip(tr("What the scan's lengths are in, where that is not recognised"));
   visible_->setObjectName("scanVisible");
@@ -119,7 +119,7 @@ void ScanPanel::describeButtons() {
 void ScanPanel::describeMap() {
   subject_->setObjectName("scanDistances");
   subject_->setAccessibleName(tr("Distances"));
-  subject_->addItems({tr("not shown"), tr("on the face"), tr("on the scan")});
+  subject_->addItems({tr("Not shown"), tr("On the face"), tr("On the scan")});
   subject_->setToolTip(tr("Colours the face, or the scan, by the distance to the other"));
   largest_->setAccessibleName(tr("Largest distance"));
   largest_->setToolTip(

@@ -11,6 +11,7 @@
 
 #include "FaceModel.h"
 #include "FaceScheme.h"
+#include "SignedBox.h"
 
 namespace mien {
 
@@ -25,10 +26,10 @@ SurfacePanel::SurfacePanel(FaceModel* model, QWidget* parent)
     : QWidget(parent),
       model_(model),
       scheme_(new QComboBox(this)),
-      smoothing_(new QDoubleSpinBox(this)),
-      modes_(new QSpinBox(this)),
-      rows_(new QSpinBox(this)),
-      columns_(new QSpinBox(this)),
+      smoothing_(new SignedNumberBox(this)),
+      modes_(new SignedWholeBox(this)),
+      rows_(new SignedWholeBox(this)),
+      columns_(new SignedWholeBox(this)),
       remainder_(new QCheckBox(tr("Remainder"), this)) {
   setObjectName("surfacePanel");
   auto* form = new QFormLayout(this);

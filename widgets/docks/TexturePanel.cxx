@@ -157,7 +157,7 @@ QWidget* TexturePanel::controls() {
 }
 
 QWidget* TexturePanel::emptyState() {
-  auto* empty = new EmptyState("textureEmpty", tr("No photograph dresses the face yet"),
+  auto* empty = new EmptyState("textureEmpty", tr("No photograph yet"),
                                tr("Open a photograph of a face from the front (.png, .jpg, .tif), or drop one here. A "
                                   "mesh of the same name beside "
                                   "it, or a list of landmarks, says where its features lie; without one you get a mesh "

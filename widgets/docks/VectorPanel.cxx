@@ -213,10 +213,10 @@ QString VectorPanel::summary() const {
     moving += length > leastMotion;
   }
   const double mean = sum / std::max<size_t>(1, result.chosen.size());
-  return tr("%1 of %2 vectors move; longest %3 mm, mean %4 mm")
+  return tr("max %1, mean %2 mm; %3 of %4 vectors move")  // the lengths first: a narrow dock cuts the end
+      .arg(QString::number(largest, 'f', 2), QString::number(mean, 'f', 2))
       .arg(moving)
-      .arg(result.chosen.size())
-      .arg(QString::number(largest, 'f', 2), QString::number(mean, 'f', 2));
+      .arg(result.chosen.size());
 }
 
 MotionWords VectorPanel::words() const {

@@ -190,7 +190,8 @@ bool FigureFile::writePNG(const std::string& name, const QSizeF& size, const Dra
   image.setText("Title", FigureMetadata::oneLine(title_));
   image.setText("Description", FigureMetadata::oneLine(description_));
   image.setText("Software", "Mien");
-  return image.save(QString::fromStdString(name), "PNG");
+  QBuffer buffer;
+  return image.save(&buffer, "PNG") && writeBytes(name, buffer.data());
 }
 
 }  // namespace mien

@@ -17,6 +17,7 @@
 #include "FaceScheme.h"
 #include "FaceStateJson.h"
 #include "FilterProgress.h"
+#include "LengthUnit.h"
 #include "MeshReading.h"
 #include "PipelineErrors.h"
 #include "SurfaceDistance.h"
@@ -63,6 +64,18 @@ vtkSmartPointer<vtkPolyData> withNormals(const vtkSmartPointer<vtkPolyData>& sur
   normals->ConsistencyOff();
   normals->Update();
   return normals->GetOutput();
+}
+
+/// A head is once to three times as long as the face; what is read in mm may have been written in another unit.
+QString doubtOfUnit(const QString& name, double mesh, double face) {
+  if (mesh > face / 4.0 && mesh < 4.0 * face) return {};
+  const std::vector<LengthUnit> units = unitsThatFit(mesh, 0.7 * face, 3.0 * face);
+  if (units.empty()) return {};
+  return Comparison::tr(
+             "%1 is %2 mm from end to end as it is read, the face %3 mm: it may be in %4, and the distances "
+             "wrong; the dock Curves and scan reads and places scans in any unit")
+      .arg(name, QString::number(mesh, 'g', 3), QString::number(face, 'g', 3),
+           QString::fromStdString(units.front().fullName));
 }
 
 DistanceSummary summaryOf(vtkPolyData* surface) {
@@ -142,7 +155,8 @@ QString Comparison::summary(Side side) const {
   const vtkIdType all = std::max<vtkIdType>(1, distances_->surfaces[index]->GetNumberOfPoints());
   QString what = side == Side::A ? tr("A to B") : tr("B to A");
   if (corresponds()) what = side == Side::A ? tr("Point to point, by area of A") : tr("Point to point, by area of B");
-  if (leavesOut()) what += tr(", %1 % opposite").arg(100.0 * summary.points / all, 0, 'f', 0);
+  const QString counted = side == Side::A ? tr(", %1 % of A") : tr(", %1 % of B");
+  if (leavesOut()) what += counted.arg(100.0 * summary.points / all, 0, 'f', 0);
   return tr("%1: %2").arg(what, numbersText(summary));
 }
 
@@ -190,6 +204,9 @@ bool Comparison::openMesh(const QString& fileName) {
   mesh_ = withNormals(visibleSurface(read));
   file_ = fileName;
   take(Kind::Mesh);
+  auto* face = vtkPolyData::SafeDownCast(model_->pipeline().surface()->GetOutputDataObject(0));
+  const QString doubt = doubtOfUnit(name(), mesh_->GetLength(), face->GetLength());
+  if (!doubt.isEmpty()) emit model_->failed(doubt, fileName);
   return true;
 }
 

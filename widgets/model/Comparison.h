@@ -52,7 +52,7 @@ class Comparison : public QObject, public SessionPart {
   vtkPolyData* drawn(Side side) const;    ///< the same, but what its summary leaves out has no number
   bool corresponds() const;               ///< whether it was measured from each point to its counterpart
   bool leavesOut() const;                 ///< whether it is of what lies opposite the other alone
-  QString summary(Side side) const;       ///< "A to B, 98 % opposite: RMS .., 95 % .., max .. mm": from that side to
+  QString summary(Side side) const;       ///< "A to B, 98 % of A: RMS .., 95 % .., max .. mm": from that side to
                                           ///< the other; to a mesh of what lies opposite, and how much that is
 
   /// {"kind": "none" | "state" | "scheme" | "mesh", "state": {..}, "scheme": "..", "file": ".."}, with the FaceState as

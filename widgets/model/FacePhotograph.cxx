@@ -6,7 +6,6 @@
 
 #include <QDateTime>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <filesystem>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "ImageFile.h"
 #include "ImagePicture.h"
 #include "WarpMeshText.h"
+#include "WholeFile.h"
 
 namespace mien {
 
@@ -246,12 +246,9 @@ void FacePhotograph::name(const std::string& mesh) {
 }
 
 bool FacePhotograph::keep(const QString& fileName) {
-  const QByteArray text = QByteArray::fromStdString(writeWarpMesh(mesh_));
-  QSaveFile file(fileName);
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
-    emit model_->failed(
-        tr("%1: it cannot be written; give a file in a folder that exists and may be written to").arg(fileName),
-        QString());
+  const std::string fault = WholeFile::write(fileName.toStdString(), writeWarpMesh(mesh_));
+  if (!fault.empty()) {
+    emit model_->failed(fileName + ": " + QString::fromStdString(fault), QString());
     return false;
   }
   asked_.mesh = good_.mesh = fileName.toStdString();

@@ -89,7 +89,8 @@ QString Autosave::orphanText() const {
   nlohmann::json session;
   readOrphan(session);
   const QString name = QFileInfo(documentOf(session)).fileName();
-  const QString time = QLocale().toString(QFileInfo(orphans_.front().file).lastModified(), QLocale::ShortFormat);
+  const QString time =
+      QLocale::system().toString(QFileInfo(orphans_.front().file).lastModified(), QLocale::ShortFormat);
   return name.isEmpty()
              ? tr("Mien Studio ended unexpectedly. What it showed last, %1, was kept.").arg(time)
              : tr("Mien Studio ended unexpectedly. What was changed in %1 until %2 was kept.").arg(name, time);

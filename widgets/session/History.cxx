@@ -22,6 +22,7 @@ using json = nlohmann::json;
 
 constexpr int mostSteps = 10000;
 constexpr int settling = 300;  // ms after which what changed by itself is looked at
+constexpr int pressing = 200;  // ms that a shortcut may take: Qt shows its button pressed for 100 ms before it acts
 
 /// Whether two changes are of the same numbers or texts. Ticks and what is pressed are separate acts.
 bool isSameKind(const json& one, const json& other) {
@@ -96,7 +97,6 @@ History::History(Session* session, FaceModel* model, AnimationPlayer* player)
     timer->setSingleShot(true);
     connect(timer, &QTimer::timeout, this, &History::record);
   }
-  idle_->setInterval(0);
   later_->setInterval(settling);
   connect(model, &FaceModel::updated, this, [this] {
     if (input_ != Input::None) return idle_->start();
@@ -114,7 +114,7 @@ void History::note(Input input) {
   if (input_ == Input::None) record();
   input_ = input;
   away_ = false;
-  idle_->start();
+  idle_->start(input == Input::Command ? pressing : 0);
 }
 
 bool History::eventFilter(QObject* watched, QEvent* event) {
@@ -132,6 +132,13 @@ bool History::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Drop:
       held_ = false;
       note(Input::Mouse);
+      break;
+    case QEvent::ShortcutOverride:  // comes before each key; one that is a shortcut is not pressed for a widget then
+      record();
+      note(Input::Command);
+      break;
+    case QEvent::KeyRelease:
+      if (input_ == Input::None) note(Input::Command);
       break;
     case QEvent::KeyPress:
     case QEvent::Wheel:
@@ -199,7 +206,7 @@ void History::apply(const json& change) {
 void History::act() {
   if (applying_) return;
   if (input_ == Input::None) input_ = Input::Mouse;
-  idle_->start();
+  idle_->start(0);
 }
 
 void History::undo() {

@@ -17,9 +17,9 @@ class Session;
 
 /// Undo and redo of whatever changes the undoable part of a session, without the help of those who change it.
 ///
-/// What changes between pressing and releasing a mouse button is one step, and so is what the same keys or wheel
-/// change within a second. The frames that playing shows are no steps. What follows from a step later, without the
-/// user, belongs to it.
+/// What changes between pressing and releasing a mouse button is one step, what a shortcut does is one, and so is what
+/// the same keys or wheel change within a second. The frames that playing shows are no steps. What follows from a step
+/// later, without the user, belongs to it.
 class History : public QObject {
   Q_OBJECT
  public:
@@ -51,7 +51,7 @@ class History : public QObject {
 
  private:
   class Step;
-  enum class Input { None, Mouse, Keys };
+  enum class Input { None, Mouse, Keys, Command };  ///< Command: a shortcut, or what a key does as it is released
   void note(Input input);
   void followFrame(const nlohmann::json& now);
   void followKnown(const nlohmann::json& now);

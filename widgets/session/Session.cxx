@@ -34,18 +34,16 @@ bool isGone(const std::string& file) {
   return !file.empty() && file != "-" && !QFileInfo::exists(QString::fromStdString(file));
 }
 
-/// Leaves out files that are gone. @return their names
-QStringList leaveOutMissing(FaceState& state) {
-  QStringList missing;
+/// Leaves out files that are gone.
+void leaveOutMissing(FaceState& state) {
   for (std::string* file :
        {&state.curvesFile, &state.fapFile, &state.animationTable, &state.texture, &state.textureMesh}) {
-    if (!isGone(*file)) continue;
-    missing << QString::fromStdString(*file);
-    file->clear();
+    if (isGone(*file)) file->clear();
   }
+  std::string& table = state.deformation.table;  // those that come with Mien have names that are no files
+  if (table.find('/') != std::string::npos && isGone(table)) state.deformation = {};
   if (state.texture.empty()) state.textureMesh.clear();
   if (state.fapFile.empty()) state.frame = 0.0;
-  return missing;
 }
 
 }  // namespace
@@ -59,10 +57,16 @@ json Session::undoable() const {
           {"docks", WidgetSettings::read(*window_, WidgetSettings::Of::Undo)}};
 }
 
-json Session::whole() const {
+json Session::shown() const {
   return {{"face", faceStateJson(model_->lastingState())},
           {"docks", WidgetSettings::read(*window_, WidgetSettings::Of::Session)},
           {"window", windowState()}};
+}
+
+json Session::whole() {
+  json all = shown();
+  SessionFiles::keep(all, absent_);
+  return all;
 }
 
 json Session::cameras() const {
@@ -110,15 +114,27 @@ QString Session::restore(const json& session) {
   if (face == session.end()) return tr("the member 'face' is missing");
   const QString unread = QString::fromStdString(readFaceState(*face, state));
   if (!unread.isEmpty()) return unread;
-  const QStringList missing = leaveOutMissing(state);
+  leaveOutMissing(state);
   const QString fault = show(state);
   if (!fault.isEmpty()) return fault;
   const auto window = session.find("window"), docks = session.find("docks");
   if (window != session.end() && window->is_object()) restoreWindow(*window);
   if (docks != session.end() && docks->is_object()) WidgetSettings::apply(*window_, *docks);
   if (model_->state() != state) show(state);
-  if (!missing.isEmpty())
-    emit model_->remarked(tr("Left out, as it is not there any more: %1").arg(missing.join(", ")), QString());
+  return {};
+}
+
+QString Session::open(const json& session, const QString& folder) {
+  const json found = SessionFiles::found(session, folder);
+  std::vector<SessionFiles::Absent> absent = SessionFiles::absentIn(found);
+  const QString fault = restore(SessionFiles::without(found, absent));
+  if (!fault.isEmpty()) return fault;
+  SessionFiles::setRest(shown(), absent);
+  absent_ = absent;
+  if (!absent.empty())
+    emit model_->remarked(tr("Left out, as it is not there any more: %1. The session still names it.")
+                              .arg(SessionFiles::names(found, absent).join(", ")),
+                          QString());
   return {};
 }
 

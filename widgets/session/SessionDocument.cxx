@@ -87,25 +87,27 @@ void SessionDocument::followCameras() {
 }
 
 void SessionDocument::startNew() {
-  if (!start_ || !mayClose() || !show(*start_, tr("A new session"), QString())) return;
+  if (!start_ || !mayClose() || !show(*start_, tr("A new session"))) return;
   history_->clear();
   take(QString());
 }
 
-bool SessionDocument::show(const nlohmann::json& session, const QString& name, QString fault) {
-  if (fault.isEmpty()) {
-    fault = session_->restore(session);
-    if (!fault.isEmpty()) fault = tr("%1 cannot be opened: %2").arg(name, fault);
-  }
-  if (!fault.isEmpty()) emit model_->failed(fault, tr("The face is as it was before."));
-  return fault.isEmpty();
+bool SessionDocument::show(const nlohmann::json& session, const QString& name, const QString& folder) {
+  const QString fault = session_->open(session, folder);
+  return fault.isEmpty() || refuse(tr("%1 cannot be opened: %2").arg(name, fault));
+}
+
+bool SessionDocument::refuse(const QString& fault) {
+  emit model_->failed(fault, tr("The face is as it was before."));
+  return false;
 }
 
 bool SessionDocument::open(const QString& fileName) {
   nlohmann::json session;
-  QString fault = SessionFile::read(fileName, session);
-  if (!fault.isEmpty()) fault += tr("; nothing was changed");
-  if (!show(session, QFileInfo(fileName).fileName(), fault)) return false;
+  const QString fault = SessionFile::read(fileName, session);
+  if (!fault.isEmpty()) return refuse(fault + tr("; nothing was changed"));
+  const QFileInfo file(fileName);
+  if (!show(session, file.fileName(), file.absolutePath())) return false;
   history_->clear();
   take(fileName);
   emit opened(file_);
@@ -113,7 +115,8 @@ bool SessionDocument::open(const QString& fileName) {
 }
 
 bool SessionDocument::recover(const nlohmann::json& session, const QString& fault) {
-  if (!show(session, tr("What was kept"), fault)) return false;
+  if (!fault.isEmpty()) return refuse(fault);
+  if (!show(session, tr("What was kept"))) return false;
   history_->clearAsModified();
   take(Autosave::documentOf(session), true);
   return true;
@@ -121,7 +124,9 @@ bool SessionDocument::recover(const nlohmann::json& session, const QString& faul
 
 bool SessionDocument::save(const QString& fileName) {
   history_->record();
-  const QString fault = SessionFile::write(session_->whole(), fileName);
+  nlohmann::json session = session_->whole();
+  session["folder"] = QFileInfo(fileName).absolutePath().toStdString();
+  const QString fault = SessionFile::write(session, fileName);
   if (!fault.isEmpty()) {
     emit model_->failed(fault, fileName);
     return false;

@@ -57,7 +57,8 @@ class SessionDocument : public QObject {
   void named(const QString& fileName);  ///< whose session this is now; empty: a new one
 
  private:
-  bool show(const nlohmann::json& session, const QString& name, QString fault);
+  bool show(const nlohmann::json& session, const QString& name, const QString& folder = QString());
+  bool refuse(const QString& fault);  ///< @return false
   void take(const QString& fileName, bool isRecovered = false);
   void showTitle();
 

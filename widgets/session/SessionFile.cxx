@@ -2,11 +2,11 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <nlohmann/json.hpp>
 
 #include "SessionText.h"
 #include "TextFileReader.h"
+#include "WholeFile.h"
 
 namespace mien {
 
@@ -27,11 +27,8 @@ QString SessionFile::read(const QString& fileName, nlohmann::json& session) {
 }
 
 QString SessionFile::write(const nlohmann::json& session, const QString& fileName) {
-  const QByteArray text = QByteArray::fromStdString(writeSession(session));
-  QSaveFile file(fileName);
-  if (file.open(QIODevice::WriteOnly) && file.write(text) == text.size() && file.commit()) return {};
-  return sentence("%1 cannot be written: %2; choose a folder that exists and may be written to")
-      .arg(QFileInfo(fileName).fileName(), file.errorString());
+  const std::string fault = WholeFile::write(fileName.toStdString(), writeSession(session));
+  return fault.empty() ? QString() : QFileInfo(fileName).fileName() + ": " + QString::fromStdString(fault);
 }
 
 }  // namespace mien

@@ -51,14 +51,15 @@ bool ColorScale::isNarrow() const {
 }
 
 QString ColorScale::title() const {
-  if (isNarrow()) return tr("Displacement");
-  return view_->isWithHead() ? tr("Displacement, with head") : tr("Displacement, head still");
+  const bool withHead = view_->isWithHead();
+  if (isNarrow()) return withHead ? tr("Moved, with head") : tr("Moved, head still");
+  return withHead ? tr("Displacement, with head") : tr("Displacement, head still");
 }
 
 /// The same for all texts, so that the bar stays.
 int ColorScale::titleWidth(bool narrow) const {
   const QFontMetrics metrics = fontMetrics();
-  const QString longest = narrow ? tr("Displacement") : tr("Displacement, with head");
+  const QString longest = narrow ? tr("Moved, with head") : tr("Displacement, with head");
   return std::max(metrics.horizontalAdvance(longest), metrics.horizontalAdvance(mostText(88.8)));
 }
 

@@ -39,7 +39,7 @@ const FaceArray& patches() {
 }
 
 const FaceArray& difference() {
-  static const FaceArray array = {"Distance", -1, false, FaceColoring::tr("Difference of A and B (mm)")};
+  static const FaceArray array = {"Distance", -1, false, FaceColoring::tr("Difference A\u2013B (mm)")};
   return array;
 }
 

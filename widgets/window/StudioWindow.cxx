@@ -180,7 +180,9 @@ void StudioWindow::addFaceMenu() {
   reset->setObjectName("actionNeutral");
 }
 
-bool StudioWindow::openFile(const QString& fileName) {
+/// Sessions and copied commands name what is open, and are used from other folders.
+bool StudioWindow::openFile(const QString& name) {
+  const QString fileName = QFileInfo(name).absoluteFilePath();
   const size_t said = messages_->log().size();
   const bool good = openAs(fileKind(fileName), fileName);
   if (good) keeper_->recent()->add(fileName);
@@ -203,7 +205,8 @@ bool StudioWindow::openAs(FileKind kind, const QString& fileName) {
   return true;
 }
 
-bool StudioWindow::openAnimationTable(const QString& fileName) {
+bool StudioWindow::openAnimationTable(const QString& name) {
+  const QString fileName = name.isEmpty() ? name : QFileInfo(name).absoluteFilePath();
   if (!model_->openAnimationTable(fileName)) return false;
   messages_->showNote(fileName.isEmpty() ? tr("The built-in animation table moves the face again.")
                                          : tr("%1 says now what each FAP moves.").arg(QFileInfo(fileName).fileName()),

@@ -54,11 +54,11 @@ void requireEnding(const std::string& name, const std::vector<std::string>& know
   throw ValueFailure("output '" + name + "' " + what + "; the known ones are " + listOfEndings(known));
 }
 
-OutputFile::OutputFile(const std::string& name) : name_(name) {
-  requireWritableFolder(name);
+OutputFile::OutputFile(const std::string& name) : name_(WholeFile::targetOf(name)) {
+  requireWritableFolder(name_);
   std::error_code error;
   if (fs::is_directory(name, error)) throw FileFailure(name + ": this is a folder; give the name of a file");
-  temporaryName_ = WholeFile::temporaryNameOf(name);
+  temporaryName_ = WholeFile::temporaryNameOf(name_);
 }
 
 OutputFile::~OutputFile() {
@@ -70,7 +70,7 @@ void OutputFile::commit() {
   std::error_code error;
   if (fs::file_size(temporaryName_, error) == 0 || error)
     throw FileFailure(name_ + ": nothing could be written; is there space left on the disk?");
-  fs::rename(temporaryName_, name_, error);
+  error = WholeFile::replace(name_, temporaryName_);
   if (error) throw FileFailure(name_ + ": cannot be written (" + error.message() + ")");
 }
 
