@@ -148,4 +148,43 @@ TEST_F(ViewDrawing, PointsOfCurvesAreSeenInViewsOfAnySize) {
     }
 }
 
+/// Lines and points alone, and curves over them, are told from the background by day and by night.
+TEST_F(ViewDrawing, LinesOfAMeshAloneStandOut) {
+  auto* mesh = find<QComboBox>("faceMesh");
+  for (Theme::Kind kind : {Theme::Kind::Light, Theme::Kind::Dark}) {
+    const Theme& theme = Theme::of(kind);
+    for (const QColor& ground : {theme.viewTop, theme.viewBottom}) EXPECT_GE(contrast(theme.meshAlone, ground), 4.0);
+    use(kind);
+    for (const char* style : {"Wireframe", "Points"}) {
+      mesh->setCurrentText(style);
+      const QImage shown = picture("faceView");
+      int clear = 0;
+      for (int y = 0; y < shown.height(); ++y) {
+        const QColor ground = shown.pixelColor(1, y);
+        for (int x = shown.width() / 4; x < 3 * shown.width() / 4; ++x)
+          clear += contrast(shown.pixelColor(x, y), ground) >= 3.0;
+      }
+      RecordProperty(std::string(style) + (kind == Theme::Kind::Dark ? "Dark" : "Light"), clear);
+      EXPECT_GT(clear, 500) << style << " " << int(kind);
+    }
+  }
+}
+
+TEST_F(ViewDrawing, CurvesOverAMeshAloneStandOut) {
+  for (Theme::Kind kind : {Theme::Kind::Light, Theme::Kind::Dark}) {
+    use(kind);
+    find<QComboBox>("faceMesh")->setCurrentText("Points");
+    const QImage without = picture("faceView");
+    find<QToolButton>("faceCurves")->click();
+    const QImage with = picture("faceView");
+    int clear = 0;
+    for (int y = 0; y < with.height(); ++y)
+      for (int x = 0; x < with.width(); ++x)
+        clear +=
+            with.pixel(x, y) != without.pixel(x, y) && contrast(with.pixelColor(x, y), with.pixelColor(1, y)) >= 4.0;
+    find<QToolButton>("faceCurves")->click();
+    EXPECT_GT(clear, 2000) << int(kind);
+  }
+}
+
 }  // namespace
