@@ -187,4 +187,19 @@ TEST_F(ViewDrawing, CurvesOverAMeshAloneStandOut) {
   }
 }
 
+/// Lips that just part are less than a pixel apart: of a dark mouth behind them there would be dashes for a frame.
+TEST_F(ViewDrawing, LipsThatMeetShowNoDashes) {
+  window->resize(1280, 800);
+  find<QDockWidget>("plotDock")->show();
+  window->playDemonstration();
+  window->player().pause();
+  window->model().showFrame(128);
+  const QImage closed = picture("faceView");
+  window->model().showFrame(127);
+  EXPECT_GT(differing(closed, picture("faceView"), 15), 0) << "the lips are a little apart";
+  EXPECT_EQ(differing(closed, picture("faceView"), 150), 0);
+  window->model().showFrame(126);
+  EXPECT_GT(differing(closed, picture("faceView"), 150), 50) << "an open mouth is dark";
+}
+
 }  // namespace

@@ -181,7 +181,7 @@ void CurveView::dress() {
   setColor(points_->GetProperty(), theme.curve);
   setColor(skin_->GetProperty(), theme.viewBottom);
   renderer()->GradientBackgroundOff();  // what hides the back has one colour, and would show before two
-  setColor(mouth_.property(), theme.viewBottom);
+  mouth_.setColor(theme.viewBottom);
 }
 
 void CurveView::setPointsVisible(bool visible) {

@@ -21,6 +21,7 @@ namespace mien {
 namespace {
 
 constexpr float meshWidth = 1.0f, shownPointSize = 3.0f;  // pixels
+constexpr int lipsDarker = 110;                           // percent, than skin without light and shadow
 const QColor mouthInside("#5c2421");                      // inside of a face with a photograph, which does not show it
 
 void setSkin(vtkProperty* property) {
@@ -78,6 +79,7 @@ void FaceView::dressSkin() {
   const Theme& theme = Theme::current();
   setColor(surface_->GetProperty(), isOpen() ? theme.meshAlone : textured_ ? QColor(Qt::white) : theme.skin);
   setColor(inside_, isOpen() ? theme.ghost : textured_ ? mouthInside : theme.skinInside);
+  mouth_.fadeFrom(colored_ ? QColor() : theme.skin.darker(lipsDarker));
   for (vtkProperty* side : {surface_->GetProperty(), inside_.Get()}) setSkin(side);
   inside_->SetSpecular(0.0);
 }
