@@ -8,7 +8,7 @@ class vtkPolyData;
 namespace mien {
 
 /// The dark inside of an open mouth as triangles, see MouthInside.h; empty for a closed one, and for curves that are no
-/// face with lips.
+/// face with lips. Its field array `Gap` tells how far the lips are apart, in mm.
 /// @param curves  as in BoundaryCurveData.h, as they are shown; may be null
 MIENSURFACE_EXPORT vtkSmartPointer<vtkPolyData> mouthSack(vtkPolyData* curves);
 

@@ -176,23 +176,6 @@ TEST_F(ViewFit, TheFaceAndItsCurvesAreOfOneScale) {
   }
 }
 
-/// In a low view 29 curves with their points would be one blot.
-TEST_F(ViewFit, PointsOfCurvesAreDrawnWhereTheyCanBeTold) {
-  const auto* curves = find<mien::CurveView>("curveView");
-  window->resize(1280, 800);
-  settle();
-  EXPECT_TRUE(curves->showsPoints());
-  find<QDockWidget>("plotDock")->toggleViewAction()->trigger();
-  settle();
-  EXPECT_FALSE(curves->showsPoints());
-  find<QDockWidget>("plotDock")->toggleViewAction()->trigger();
-  settle();
-  EXPECT_TRUE(curves->showsPoints());
-  find<QToolButton>("curvePoints")->click();
-  settle();
-  EXPECT_FALSE(curves->showsPoints());
-}
-
 /// Whatever waits behind "more", the way back does not.
 TEST_F(ViewFit, AComparisonCanAlwaysBeClosed) {
   for (const QSize size : {QSize(1280, 800), QSize(1000, 700)}) {

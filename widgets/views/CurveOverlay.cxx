@@ -21,6 +21,7 @@
 #include "FaceLayout.h"
 #include "FaceModel.h"
 #include "LabelSpread.h"
+#include "PropertyColor.h"
 #include "RenderView.h"
 #include "Theme.h"
 
@@ -28,7 +29,7 @@ namespace mien {
 
 namespace {
 
-constexpr float namedWidth = 1.6f;             // pixels
+constexpr float curveWidth = 1.6f;             // pixels
 constexpr double curvesTowardsCamera = -60.0;  // depth units by which curves lie before the skin that they are on
 const QColor lineColor("#14181d");             // on skin and on colours that say something, in both themes
 constexpr int nameFontSize = 9;                // pt
@@ -46,7 +47,7 @@ CurveOverlay::CurveOverlay(FaceModel* model, RenderView* view, QObject* parent)
   addCurves();
   addNames();
   useTheme();
-  started_ = renderer_->AddObserver(vtkCommand::StartEvent, this, &CurveOverlay::placeNames);
+  started_ = renderer_->AddObserver(vtkCommand::StartEvent, this, &CurveOverlay::prepare);
   view_->installEventFilter(this);
 }
 
@@ -61,8 +62,7 @@ void CurveOverlay::addCurves() {
   curveMapper_->SetRelativeCoincidentTopologyLineOffsetParameters(0.0, curvesTowardsCamera);
   curves_->SetMapper(curveMapper_);
   curves_->GetProperty()->LightingOff();
-  curves_->GetProperty()->SetLineWidth(namedWidth);
-  curves_->GetProperty()->SetColor(lineColor.redF(), lineColor.greenF(), lineColor.blueF());
+  curves_->GetProperty()->SetLineWidth(curveWidth);
   curves_->VisibilityOff();
   view_->renderer()->AddActor(curves_);
 }
@@ -109,7 +109,13 @@ void CurveOverlay::setNamesVisible(bool visible) {
   view_->redraw();
 }
 
-/// Before each picture, as the camera may have moved.
+/// Before each picture, as the camera and the mesh of the face may have changed. Over lines alone the background is
+/// what curves are seen on.
+void CurveOverlay::prepare() {
+  setColor(curves_->GetProperty(), view_->showsSurface() ? lineColor : Theme::current().text);
+  placeNames();
+}
+
 void CurveOverlay::placeNames() {
   auto* curves = vtkPolyData::SafeDownCast(model_->pipeline().shownCurves()->GetOutputDataObject(0));
   if (!named_ || !curves || curves->GetNumberOfPoints() < count) return;

@@ -41,6 +41,7 @@ class CurveOverlay : public QObject {
   void addCurves();
   void addNames();
   void useTheme();
+  void prepare();
   void placeNames();
   Places outermost(vtkPolyData* curves) const;
   std::vector<double> heights(const std::vector<int>& curves, const Places& places) const;

@@ -27,10 +27,12 @@ namespace mien {
 
 namespace {
 
-constexpr float lineWidth = 2.0f, pointSize = 5.0f, neutralWidth = 1.0f;  // pixels
-constexpr double leastSpacing = 10.0;  // pixels between points: nearer, and they make one thick line
+// Of the pixels between points or curves, within limits in pixels: what is small is drawn finely, not left out.
+constexpr double lineShare = 0.1, pointShare = 0.3, neutralShare = 0.5;
+constexpr double thinnest = 1.0, thickest = 2.0, smallest = 2.0, largest = 5.0;
 constexpr int colorSteps = 256;
-constexpr double skinBehind = 60.0;  // depth units by which the skin lies behind the curves on it
+constexpr double neutralBehind = 150.0, skinBehind = 600.0;  // depth units behind the curves
+constexpr double steepNeutral = 2.0, steepBehind = 4.0;      // pixels of slope, where the skin is seen from the side
 
 constexpr double leastRange = 2.0;  // mm: a twitch does not look like a grin
 
@@ -76,7 +78,7 @@ CurveView::CurveView(FaceModel* model, QWidget* parent) : RenderView(model, pare
   addCurves();
   dress();
   connect(model, &FaceModel::updated, this, &CurveView::follow);
-  renderer()->AddObserver(vtkCommand::StartEvent, this, &CurveView::sizePoints);
+  renderer()->AddObserver(vtkCommand::StartEvent, this, &CurveView::sizeDrawing);
   follow();
 }
 
@@ -85,10 +87,8 @@ CurveView::~CurveView() = default;
 void CurveView::addCurves() {
   colors_->SetNumberOfTableValues(colorSteps);
   lines_->SetMapper(curveMapper(curves_, colors_));
-  lines_->GetProperty()->SetLineWidth(lineWidth);
   points_->SetMapper(curveMapper(curves_, colors_));
   points_->GetProperty()->SetRepresentationToPoints();
-  points_->GetProperty()->SetPointSize(pointSize);
   points_->GetProperty()->RenderPointsAsSpheresOn();
   for (vtkActor* actor : {lines_.Get(), points_.Get()}) {
     actor->GetProperty()->LightingOff();
@@ -96,23 +96,26 @@ void CurveView::addCurves() {
   }
 }
 
+/// Behind the curves by more than their depths are rounded: where nothing has moved, both lie at one place.
 void CurveView::addNeutral() {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(model().pipeline().neutralCurves()->GetOutputPort());
   mapper->ScalarVisibilityOff();
+  mapper->SetResolveCoincidentTopologyToPolygonOffset();
+  mapper->SetRelativeCoincidentTopologyLineOffsetParameters(steepNeutral, neutralBehind);
   neutral_->SetMapper(mapper);
   neutral_->GetProperty()->LightingOff();
-  neutral_->GetProperty()->SetLineWidth(neutralWidth);
   renderer()->AddActor(neutral_);
 }
 
-/// Drawn in a plain colour and a little further away than it is, so that it hides only what is behind the face.
+/// Drawn in a plain colour and a little further away than it is, so that it hides only what is behind the face: between
+/// its samples a curve lies within the skin.
 void CurveView::addSkin() {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(model().pipeline().surface()->GetOutputPort());
   mapper->ScalarVisibilityOff();
   mapper->SetResolveCoincidentTopologyToPolygonOffset();
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2.0, skinBehind);
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(steepBehind, skinBehind);
   skin_->SetMapper(mapper);
   skin_->GetProperty()->LightingOff();
   mouth_.setBehind(skinBehind);
@@ -178,25 +181,28 @@ void CurveView::dress() {
   setColor(points_->GetProperty(), theme.curve);
   setColor(skin_->GetProperty(), theme.viewBottom);
   renderer()->GradientBackgroundOff();  // what hides the back has one colour, and would show before two
-  setColor(mouth_.property(), theme.viewBottom);
+  mouth_.setColor(theme.viewBottom);
 }
 
 void CurveView::setPointsVisible(bool visible) {
-  pointsOn_ = visible;
+  points_->SetVisibility(visible);
   redraw();
 }
 
 /// Before each picture, as the camera may have moved, or the picture be an enlarged one.
-void CurveView::sizePoints() {
-  const double enlarged = 1.0 * renderer()->GetSize()[1] / std::max(1, height());
-  points_->GetProperty()->SetPointSize(static_cast<float>(enlarged * pointSize));
-  points_->SetVisibility(showsPoints());
+void CurveView::sizeDrawing() {
+  const double enlarged = 1.0 * renderer()->GetSize()[1] / std::max(1, height()), spacing = pixelsBetween();
+  const double width = enlarged * std::clamp(lineShare * spacing, thinnest, thickest);
+  lines_->GetProperty()->SetLineWidth(static_cast<float>(width));
+  neutral_->GetProperty()->SetLineWidth(static_cast<float>(std::max(enlarged * thinnest, neutralShare * width)));
+  points_->GetProperty()->SetPointSize(
+      static_cast<float>(enlarged * std::clamp(pointShare * spacing, smallest, largest)));
 }
 
-bool CurveView::showsPoints() const {
+double CurveView::pixelsBetween() const {
   const double extent =
       2.0 * camera()->GetDistance() * std::tan(0.5 * vtkMath::RadiansFromDegrees(camera()->GetViewAngle()));
-  return pointsOn_ && spacing_ * height() / std::max(1e-9, extent) >= leastSpacing;
+  return spacing_ * height() / std::max(1e-9, extent);
 }
 
 void CurveView::setNeutralVisible(bool visible) {

@@ -31,7 +31,6 @@ class CurveView : public RenderView {
   bool isWithHead() const { return withHead_; }
   double rangeEnd() const;  ///< mm, in effect
   double automaticEnd() const { return automatic_; }
-  bool showsPoints() const;              ///< whether they are wanted, and far enough apart to be told from their lines
   double most() const { return most_; }  ///< mm that a point of a curve has moved
   void useTheme() override;
 
@@ -46,11 +45,12 @@ class CurveView : public RenderView {
   void addNeutral();
   void addSkin();
   void dress();
-  void sizePoints();
+  void sizeDrawing();
+  double pixelsBetween() const;  ///< points of curves, or curves
 
   vtkNew<vtkLookupTable> colors_;
   vtkNew<vtkPolyData> curves_;  ///< those shown, with the point array `Movement` (mm)
-  bool withHead_ = false, pointsOn_ = true;
+  bool withHead_ = false;
   double spacing_ = 0.0;  ///< mm between points of curves, or between curves
   double fixed_ = 0.0, automatic_ = 0.0, most_ = 0.0;
   double played_ = 0.0;  ///< mm, the most in any frame seen of motion_

@@ -21,6 +21,7 @@ namespace mien {
 namespace {
 
 constexpr float meshWidth = 1.0f, shownPointSize = 3.0f;  // pixels
+constexpr int lipsDarker = 110;                           // percent, than skin without light and shadow
 const QColor mouthInside("#5c2421");                      // inside of a face with a photograph, which does not show it
 
 void setSkin(vtkProperty* property) {
@@ -66,8 +67,7 @@ void FaceView::addSurface() {
 
 /// Colours that say something are the same from both sides, and light enough that they do not leave their scale.
 void FaceView::dress() {
-  const bool lines = mesh_ == Mesh::Wireframe || mesh_ == Mesh::Points;
-  surface_->SetTexture(textured_ && !colored_ && !lines ? texture_.Get() : nullptr);
+  surface_->SetTexture(textured_ && !colored_ && !isOpen() ? texture_.Get() : nullptr);
   surface_->SetBackfaceProperty(colored_ ? nullptr : inside_.Get());
   dressSkin();
   if (colored_) setMatt(surface_->GetProperty());
@@ -77,22 +77,26 @@ void FaceView::dress() {
 
 void FaceView::dressSkin() {
   const Theme& theme = Theme::current();
-  const bool lines = mesh_ == Mesh::Wireframe || mesh_ == Mesh::Points;
-  setColor(surface_->GetProperty(), lines ? theme.mesh : textured_ ? QColor(Qt::white) : theme.skin);
-  setColor(inside_, lines ? theme.ghost : textured_ ? mouthInside : theme.skinInside);
+  setColor(surface_->GetProperty(), isOpen() ? theme.meshAlone : textured_ ? QColor(Qt::white) : theme.skin);
+  setColor(inside_, isOpen() ? theme.ghost : textured_ ? mouthInside : theme.skinInside);
+  mouth_.fadeFrom(colored_ ? QColor() : theme.skin.darker(lipsDarker));
   for (vtkProperty* side : {surface_->GetProperty(), inside_.Get()}) setSkin(side);
   inside_->SetSpecular(0.0);
 }
 
 void FaceView::dressLines(vtkProperty* side) const {
   const Theme& theme = Theme::current();
-  const bool lines = mesh_ == Mesh::Wireframe || mesh_ == Mesh::Points;
   side->SetRepresentation(mesh_ == Mesh::Points ? VTK_POINTS : mesh_ == Mesh::Wireframe ? VTK_WIREFRAME : VTK_SURFACE);
-  side->SetLighting(!lines);
+  side->SetLighting(!isOpen());
   side->SetLineWidth(meshWidth);
   side->SetPointSize(shownPointSize);
   side->SetEdgeVisibility(mesh_ == Mesh::Both);
   side->SetEdgeColor(theme.mesh.redF(), theme.mesh.greenF(), theme.mesh.blueF());
+}
+
+/// What a dock shows in its place is lit, whatever the mesh.
+bool FaceView::showsSurface() const {
+  return !isOpen() || !surface_->GetVisibility();
 }
 
 void FaceView::setMesh(Mesh mesh) {

@@ -47,11 +47,13 @@ class FaceView : public RenderView {
   void setColors(const FaceArray& array, const ColorLegend* legend);
 
   void useTheme() override;
+  bool showsSurface() const override;
 
  signals:
   void overlayChanged(const QObject* overlay);
 
  private:
+  bool isOpen() const { return mesh_ == Mesh::Wireframe || mesh_ == Mesh::Points; }  ///< what is behind it is seen
   void addSurface();
   void dress();
   void dressSkin();

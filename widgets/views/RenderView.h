@@ -66,6 +66,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   vtkRenderer* renderer() const { return renderer_; }
   void redraw();            ///< with the next paint event
   virtual void useTheme();  ///< takes the colours of the current theme
+  virtual bool showsSurface() const { return true; }  ///< behind lines that are drawn on it; else the background
 
  signals:
   void cameraMoved();  ///< by the user, back to the whole face, or with another view

@@ -35,6 +35,7 @@ Theme light() {
   theme.skin = "#dccbc0";
   theme.skinInside = "#857b77";
   theme.mesh = "#3a4654";
+  theme.meshAlone = "#3a4654";
   theme.curve = "#3f5f80";
   theme.curveMoved = "#d9570a";
   theme.ghost = "#aeb8c4";
@@ -59,6 +60,7 @@ Theme dark() {
   theme.skin = "#d3c2b7";
   theme.skinInside = "#6d6560";
   theme.mesh = "#1d242c";
+  theme.meshAlone = "#aab5c2";
   theme.curve = "#8fb4d9";
   theme.curveMoved = "#ff9a4d";
   theme.ghost = "#566271";

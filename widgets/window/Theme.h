@@ -16,6 +16,7 @@ struct Theme {
   QColor edge;                      ///< around check boxes, lists and fields, and the handles of scroll bars
   QColor viewTop, viewBottom;       ///< background of a view, from top to bottom
   QColor skin, skinInside, mesh;    ///< the face from outside and inside, and its mesh lines
+  QColor meshAlone;                 ///< the same lines with no skin behind them
   QColor curve, curveMoved, ghost;  ///< boundary curves at rest, moved by 10 mm, and where they were
 
   static const Theme& of(Kind kind);

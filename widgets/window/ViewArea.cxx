@@ -150,7 +150,7 @@ void ViewArea::addCurveFrame() {
   const auto add = [&](const QString& name, const QString& text, const QString& tip) {
     return curveFrame_->addToggle(name, text, tip, true);
   };
-  connect(add("curvePoints", tr("Points"), tr("The points of the curves, where they are 10 pixels apart or more")),
+  connect(add("curvePoints", tr("Points"), tr("The points of the curves, smaller where they are close together")),
           &QToolButton::toggled, curves_, &CurveView::setPointsVisible);
   connect(add("curveNeutral", tr("Neutral"), tr("The curves of the neutral face, thin and pale")),
           &QToolButton::toggled, curves_, &CurveView::setNeutralVisible);

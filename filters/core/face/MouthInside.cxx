@@ -32,7 +32,6 @@ MouthInside::MouthInside(const FaceCurves& face) {
   const auto at = [&](int curve, int sample) -> Eigen::Vector3d {
     return face.curves.points.row(curve * count + (sample % count + count) % count);
   };
-  double gap = 0.0;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (int i = first; i <= last; ++i) {
     const Eigen::Vector3d upper = at(FaceLayout::upperLip, i), lower = at(FaceLayout::lowerLip, i);

@@ -18,6 +18,7 @@ struct MouthInside {
 
   std::vector<Eigen::Vector3d> points;        ///< mm
   std::vector<std::array<int, 3>> triangles;  ///< of points; empty for a closed mouth
+  double gap = 0.0;                           ///< mm between the lips where they are furthest apart
 
   explicit MouthInside(const FaceCurves& face);
 };
