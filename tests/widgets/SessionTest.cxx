@@ -281,7 +281,9 @@ TEST_F(Session, OfAnEarlierVersionChoosesWhatHadAnotherName) {
                {"window", "colorBy", "Smallest curvature \u03ba2 (1/mm)", "Curvature \u03ba2 (1/mm)"},
                {"window", "faceMesh", "Shaded with mesh", "Both"},
                {"continuityDock", "continuityMeasure", "C1 jump", "C1 jump (relative)"},
-               {"continuityDock", "continuityMeasure", "C2 jump", "C2 jump (relative)"}};
+               {"continuityDock", "continuityMeasure", "C2 jump", "C2 jump (relative)"},
+               {"continuityDock", "continuityPart", "front only", "Front only"},
+               {"curvesDock", "scanUnit", "Unit found", "Unit: automatic"}};
   for (const auto& one : cases) {
     json session = kept;
     ASSERT_TRUE(session["docks"][one.dock].contains(one.list)) << one.list;

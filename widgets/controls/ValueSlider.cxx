@@ -52,7 +52,8 @@ void ValueSlider::paintEvent(QPaintEvent*) {
   if (range_) paintRange(painter);
   painter.setPen(Qt::NoPen);
   painter.setBrush(palette().color(isEnabled() ? QPalette::Highlight : QPalette::Mid));
-  painter.drawRect(QRectF(qMin(zero, at), middle - groove / 2, std::abs(at - zero), groove));
+  const double from = minimum() < 0 || value() == minimum() ? zero : 1.0;  // of one that begins with 0 the groove's end
+  painter.drawRect(QRectF(qMin(from, at), middle - groove / 2, std::abs(at - from), groove));
   if (std::lround(shown_) != value()) {
     const double x = position(shown_), y = middle + 3;
     painter.setBrush(palette().color(QPalette::Text));

@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMainWindow>
+#include <QTimer>
 #include <algorithm>
 #include <iterator>
 
@@ -13,6 +14,12 @@
 #include "TexturePanel.h"
 
 namespace mien {
+
+namespace {
+
+constexpr int patience = 3000;  // ms; most scans are measured by then, and none that is no scan opens a dock
+
+}  // namespace
 
 struct FileOpener::Action {
   FileKind kind;
@@ -77,15 +84,18 @@ bool FileOpener::openCurves(const QString& fileName) {
   return true;
 }
 
-/// What is wrong with it is known once it is measured.
+/// What is wrong with it is known once it is measured. Of a large one the dock shows how far that is.
 bool FileOpener::openScan(const QString& fileName) {
   auto* panel = window_->findChild<ScanPanel*>();
   panel->open(fileName);
   if (!panel->isVisible())
     emit model_->remarked(
-        tr("%1 is being measured; the dock Curves and scan opens when that is done. File > Close scan ends it.")
+        tr("%1 is being measured; the dock Curves and scan tells how far that is. File > Close scan ends it.")
             .arg(QFileInfo(fileName).fileName()),
         QString());
+  QTimer::singleShot(patience, this, [this, panel] {
+    if (panel->isMeasuring()) show("curvesDock");
+  });
   return true;
 }
 
