@@ -200,7 +200,7 @@ void ViewArea::addOtherButtons() {
   for (double factor : arrowFactors)
     arrows->addItem(factor > 0.0 ? tr("Arrows \u00d7 %1").arg(factor) : tr("No arrows"), factor);
   arrows->setToolTip(
-      tr("The difference as vectors from each face to the other: true length, or 2 to 10 times as long"));
+      tr("The difference as arrows: on A from its points to those of B, on B from its points to those of A;
   connect(arrows, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, arrows] {
     for (DifferenceArrows* one : arrows_) one->setFactor(arrows->currentData().toDouble());
   });
