@@ -18,13 +18,15 @@
 #include <QToolButton>
 
 #include "BoundaryCurveData.h"
+#include "ColorKey.h"
 #include "DenseFace.h"
+#include "FaceColoring.h"
 #include "FaceModel.h"
 #include "FaceView.h"
 #include "ReferenceData.h"
-#include "ScanKey.h"
 #include "ScanPanel.h"
 #include "StudioFixture.h"
+#include "ViewArea.h"
 
 namespace {
 
@@ -122,16 +124,17 @@ TEST_F(ScanPanel, TheReportIsAsHighAsItsText) {
 TEST_F(ScanPanel, TheReportOfAScanIsSeenWhole) {
   MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
   find<QAction>("actionWorkspace4")->trigger();
-  auto* key = find<mien::ScanKey>("scanKey");
+  auto* key = find<mien::ViewArea>("viewArea")->coloring()->key();
   EXPECT_FALSE(key->isVisible());
+  EXPECT_FALSE(key->isOfScan());
   openSubject();
   ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
   EXPECT_TRUE(key->isVisible());
-  EXPECT_TRUE(key->parentWidget()->rect().contains(key->geometry()));
+  EXPECT_TRUE(key->isOfScan());
   for (int subject : {0, 1}) {
     find<QComboBox>("scanDistances")->setCurrentIndex(subject);
     ASSERT_TRUE(waitUntil([&] { return report().startsWith("Shown face to scan") == (subject == 1); }, longest));
-    EXPECT_EQ(key->isVisible(), subject == 0) << "the scan is hidden where colours have a meaning";
+    EXPECT_EQ(key->isOfScan(), subject == 0) << "the scan is hidden where colours have a meaning";
     for (const QSize& size : {QSize(1000, 700), QSize(1280, 800), QSize(2560, 1440)}) {
       window->resize(size);
       find<QAction>("actionResetWorkspace")->trigger();
