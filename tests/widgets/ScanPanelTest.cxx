@@ -16,6 +16,8 @@
 #include <QTemporaryDir>
 #include <QTextStream>
 #include <QToolButton>
+#include <algorithm>
+#include <cmath>
 
 #include "BoundaryCurveData.h"
 #include "ColorKey.h"
@@ -143,6 +145,30 @@ TEST_F(ScanPanel, TheReportOfAScanIsSeenWhole) {
           << size.width() << " " << subject;
     }
   }
+}
+
+/// Over the background the scan is translucent, and so it is in its key.
+TEST_F(ScanPanel, TheKeyOfAScanHasTheColourThatIsSeen) {
+  MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
+  openSubject();
+  ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
+  settle();
+  const QImage key = find<mien::ViewArea>("viewArea")->coloring()->key()->grab().toImage();
+  const QImage view = find<mien::FaceView>("faceView")->grab().toImage();
+  QColor swatch;
+  for (int x = 0; x < key.width() && !swatch.isValid(); ++x) {
+    const QColor color = key.pixelColor(x, key.height() / 2);
+    if (color.blue() > color.red() + 30) swatch = key.pixelColor(x + 4, key.height() / 2);  // within its edge
+  }
+  ASSERT_TRUE(swatch.isValid());
+  int alike = 0;
+  for (int y = 0; y < view.height(); ++y)
+    for (int x = 0; x < view.width(); ++x) {
+      const QColor seen = view.pixelColor(x, y);
+      alike += std::max({std::abs(seen.red() - swatch.red()), std::abs(seen.green() - swatch.green()),
+                         std::abs(seen.blue() - swatch.blue())}) <= 12;
+    }
+  EXPECT_GT(alike, 1000);
 }
 
 /// Mirrored, on a floor that is larger than the head.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "FaceLayout.h"
+#include "FootBand.h"
 #include "PatchColors.h"
 #include "RealMinus.h"
 #include "Theme.h"
@@ -195,10 +196,11 @@ void ColorKey::paintWords(QPainter& painter) const {
 void ColorKey::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), Theme::current().viewBottom);
+  paintFoot(painter, rect());
   if (shown_ == Shown::Words) paintWords(painter);
   if (shown_ == Shown::Patches) paintPatches(painter);
   if (shown_ == Shown::Skins) paintSkins(painter);
+  painter.translate(0.0, (height() - sizeHint().height()) / 2);
   if (shown_ == Shown::Scale) paintScale(painter);
 }
 

@@ -63,6 +63,12 @@ FaceColoring::FaceColoring(FaceModel* model, FaceView* view, Comparison* compari
 
 FaceColoring::~FaceColoring() = default;
 
+std::vector<ColorKey*> FaceColoring::keys() const {
+  std::vector<ColorKey*> all;
+  for (const auto& side : sides_) all.push_back(side->key);
+  return all;
+}
+
 FaceColoring::Side::Side(FaceView* shown) : view(shown), key(new ColorKey(shown)) {}
 
 void FaceColoring::setOther(FaceView* view) {
