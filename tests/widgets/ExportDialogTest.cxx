@@ -96,8 +96,8 @@ TEST_F(ExportDialog, WhatColoursMeanStandsBelowTheFace) {
   mien::ExportOptions options;
   const auto below = [&] {  // the picture of the view
     const QSizeF size = face()->drawing(options).size;
-    const QSize view = find<mien::FaceView>("faceView")->size();
-    return size.height() - size.width() * view.height() / view.width();
+    const auto* view = find<mien::FaceView>("faceView");
+    return size.height() - size.width() * view->freeHeight() / view->width();
   };
   EXPECT_NEAR(below(), 0.0, 1e-6);
   find<QComboBox>("colorBy")->setCurrentText("Patches");

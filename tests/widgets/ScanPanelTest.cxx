@@ -16,15 +16,19 @@
 #include <QTemporaryDir>
 #include <QTextStream>
 #include <QToolButton>
+#include <algorithm>
+#include <cmath>
 
 #include "BoundaryCurveData.h"
+#include "ColorKey.h"
 #include "DenseFace.h"
+#include "FaceColoring.h"
 #include "FaceModel.h"
 #include "FaceView.h"
 #include "ReferenceData.h"
-#include "ScanKey.h"
 #include "ScanPanel.h"
 #include "StudioFixture.h"
+#include "ViewArea.h"
 
 namespace {
 
@@ -122,16 +126,17 @@ TEST_F(ScanPanel, TheReportIsAsHighAsItsText) {
 TEST_F(ScanPanel, TheReportOfAScanIsSeenWhole) {
   MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
   find<QAction>("actionWorkspace4")->trigger();
-  auto* key = find<mien::ScanKey>("scanKey");
+  auto* key = find<mien::ViewArea>("viewArea")->coloring()->key();
   EXPECT_FALSE(key->isVisible());
+  EXPECT_FALSE(key->isOfScan());
   openSubject();
   ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
   EXPECT_TRUE(key->isVisible());
-  EXPECT_TRUE(key->parentWidget()->rect().contains(key->geometry()));
+  EXPECT_TRUE(key->isOfScan());
   for (int subject : {0, 1}) {
     find<QComboBox>("scanDistances")->setCurrentIndex(subject);
     ASSERT_TRUE(waitUntil([&] { return report().startsWith("Shown face to scan") == (subject == 1); }, longest));
-    EXPECT_EQ(key->isVisible(), subject == 0) << "the scan is hidden where colours have a meaning";
+    EXPECT_EQ(key->isOfScan(), subject == 0) << "the scan is hidden where colours have a meaning";
     for (const QSize& size : {QSize(1000, 700), QSize(1280, 800), QSize(2560, 1440)}) {
       window->resize(size);
       find<QAction>("actionResetWorkspace")->trigger();
@@ -140,6 +145,30 @@ TEST_F(ScanPanel, TheReportOfAScanIsSeenWhole) {
           << size.width() << " " << subject;
     }
   }
+}
+
+/// Over the background the scan is translucent, and so it is in its key.
+TEST_F(ScanPanel, TheKeyOfAScanHasTheColourThatIsSeen) {
+  MIEN_REQUIRE_REFERENCE("heads/subject01_neutral.ply");
+  openSubject();
+  ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
+  settle();
+  const QImage key = find<mien::ViewArea>("viewArea")->coloring()->key()->grab().toImage();
+  const QImage view = find<mien::FaceView>("faceView")->grab().toImage();
+  QColor swatch;
+  for (int x = 0; x < key.width() && !swatch.isValid(); ++x) {
+    const QColor color = key.pixelColor(x, key.height() / 2);
+    if (color.blue() > color.red() + 30) swatch = key.pixelColor(x + 4, key.height() / 2);  // within its edge
+  }
+  ASSERT_TRUE(swatch.isValid());
+  int alike = 0;
+  for (int y = 0; y < view.height(); ++y)
+    for (int x = 0; x < view.width(); ++x) {
+      const QColor seen = view.pixelColor(x, y);
+      alike += std::max({std::abs(seen.red() - swatch.red()), std::abs(seen.green() - swatch.green()),
+                         std::abs(seen.blue() - swatch.blue())}) <= 12;
+    }
+  EXPECT_GT(alike, 1000);
 }
 
 /// Mirrored, on a floor that is larger than the head.

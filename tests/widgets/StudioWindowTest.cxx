@@ -210,7 +210,8 @@ TEST_F(StudioWindow, TheColourScaleTellsWhatLiesBeyondIt) {
   window->model().change([](mien::FaceState& state) { state.fapValues.clear(); });
   settle();
   EXPECT_EQ(range->text(), "auto 2 mm") << "a face at rest begins anew";
-  EXPECT_GE(scale->mapTo(window.get(), QPoint()).y(), view->mapTo(window.get(), view->rect().bottomLeft()).y())
+  EXPECT_GE(scale->mapTo(window.get(), QPoint()).y(),
+            view->mapTo(window.get(), QPoint(0, view->height() - view->foot())).y())
       << "below the face, not on it";
 }
 

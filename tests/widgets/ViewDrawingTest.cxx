@@ -13,10 +13,12 @@
 
 #include "AnimationPlayer.h"
 #include "CurveView.h"
+#include "DifferenceArrows.h"
 #include "FaceModel.h"
 #include "FaceView.h"
 #include "StudioFixture.h"
 #include "Theme.h"
+#include "ViewArea.h"
 
 namespace {
 
@@ -193,13 +195,55 @@ TEST_F(ViewDrawing, LipsThatMeetShowNoDashes) {
   find<QDockWidget>("plotDock")->show();
   window->playDemonstration();
   window->player().pause();
-  window->model().showFrame(128);
-  const QImage closed = picture("faceView");
-  window->model().showFrame(127);
-  EXPECT_GT(differing(closed, picture("faceView"), 15), 0) << "the lips are a little apart";
-  EXPECT_EQ(differing(closed, picture("faceView"), 150), 0);
-  window->model().showFrame(126);
-  EXPECT_GT(differing(closed, picture("faceView"), 150), 50) << "an open mouth is dark";
+  const auto lips = [&](int frame) {  // without the chin, whose outline moves
+    window->model().showFrame(frame);
+    const QImage shown = picture("faceView");
+    return shown.copy(2 * shown.width() / 5, shown.height() / 2, shown.width() / 5, shown.height() / 5);
+  };
+  const QImage closed = lips(128);
+  EXPECT_GT(differing(closed, lips(127), 15), 0) << "they are a little apart";
+  EXPECT_EQ(differing(closed, lips(127), 120), 0);
+  EXPECT_GT(differing(closed, lips(126), 120), 50) << "an open mouth is dark";
+}
+
+/// White with a dark rim, on both faces alike: those that lead into a face are not cut off by it.
+TEST_F(ViewDrawing, ArrowsOfAComparisonStandOutOnBothFaces) {
+  auto* choice = find<QComboBox>("compareWith");
+  emit choice->activated(choice->findText("This state"));
+  window->model().change([](mien::FaceState& state) { state.expressions = {{"joy", 1.0}}; });
+  settle();
+  for (Theme::Kind kind : {Theme::Kind::Light, Theme::Kind::Dark}) {
+    use(kind);
+    std::array<int, 2> white{};
+    for (int index : {0, 2}) {
+      find<QComboBox>("compareArrows")->setCurrentIndex(index);
+      for (int side : {0, 1}) {
+        const QImage shown = picture(side == 0 ? "faceView" : "otherFaceView");
+        int count = 0;
+        for (int y = 0; y < shown.height(); ++y)
+          for (int x = 0; x < shown.width(); ++x) count += apart(shown.pixelColor(x, y), Qt::white) < 30;
+        white[side] = index == 0 ? -count : white[side] + count;
+      }
+    }
+    for (int side : {0, 1}) RecordProperty("white" + std::to_string(side), white[side]);
+    EXPECT_GT(std::min(white[0], white[1]), 600) << int(kind);
+    EXPECT_GT(std::min(white[0], white[1]), std::max(white[0], white[1]) / 2) << int(kind);
+    find<QComboBox>("compareArrows")->setCurrentIndex(0);
+  }
+}
+
+TEST_F(ViewDrawing, ArrowsOfAComparisonKeepApart) {
+  auto* choice = find<QComboBox>("compareWith");
+  emit choice->activated(choice->findText("This state"));
+  window->model().change([](mien::FaceState& state) { state.expressions = {{"joy", 1.0}}; });
+  find<QComboBox>("compareArrows")->setCurrentIndex(2);
+  settle();
+  for (const auto* one : find<mien::ViewArea>("viewArea")->findChildren<mien::DifferenceArrows*>()) {
+    const auto& arrows = one->arrows();
+    ASSERT_GT(arrows.size(), 50u);
+    for (size_t i = 0; i < arrows.size(); ++i)
+      for (size_t k = 0; k < i; ++k) ASSERT_GE((arrows[i].tail - arrows[k].tail).norm(), 6.0);
+  }
 }
 
 }  // namespace

@@ -23,9 +23,9 @@
 #include "ComparisonSummary.h"
 #include "CurveView.h"
 #include "ElidedLabel.h"
+#include "FaceColoring.h"
 #include "FaceModel.h"
 #include "FaceView.h"
-#include "KeyStrip.h"
 #include "ReferenceData.h"
 #include "StudioFixture.h"
 #include "Theme.h"
@@ -106,23 +106,44 @@ class ViewFit : public StudioFixture {
   }
 };
 
-/// Below a view without a key the background goes on, in either theme.
-TEST_F(ViewFit, TheKeptPlaceOfAKeyGoesOnAsTheView) {
-  drawViews();
-  auto* strip = find<mien::ViewArea>("viewArea")->findChild<mien::KeyStrip*>();
-  for (const auto& [theme, kind] :
-       {std::pair("light", mien::Theme::Kind::Light), std::pair("dark", mien::Theme::Kind::Dark),
-        std::pair("light again", mien::Theme::Kind::Light)}) {
+/// Without a key a view reaches the lower edge of its frame; a key covers a band that is told from the view.
+TEST_F(ViewFit, TheSceneReachesTheLowerEdgeWhereNoKeyStands) {
+  auto* face = find<mien::FaceView>("faceView");
+  auto* key = find<mien::ViewArea>("viewArea")->coloring()->key();
+  EXPECT_FALSE(key->isVisible());
+  EXPECT_LE(face->parentWidget()->height() - face->geometry().bottom() - 1, 2) << "the frame's line alone is below";
+  face->placeCamera({0, 0, 60}, {0, 0, 1}, 400.0);
+  for (const auto kind : {mien::Theme::Kind::Light, mien::Theme::Kind::Dark}) {
     mien::Theme::apply(kind, *qApp);
-    for (const char* view : {"faceView", "curveView"}) find<mien::RenderView>(view)->useTheme();
+    face->useTheme();
+    find<QComboBox>("colorBy")->setCurrentText("Skin");
     settle();
-    const QImage picture = window->grab().toImage();
-    const QPoint corner = strip->mapTo(window.get(), QPoint(10, 0));
-    const QColor end = picture.pixelColor(corner - QPoint(0, 1));
-    EXPECT_NE(end.name(), picture.pixelColor(corner - QPoint(0, strip->height() * 4)).name()) << "a gradient is above";
-    for (int row = 0; row < strip->height(); ++row)
-      EXPECT_EQ(picture.pixelColor(corner + QPoint(0, row)).name().toStdString(), end.name().toStdString())
-          << theme << " " << row;
+    const QImage bare = face->grab().toImage();
+    EXPECT_NE(bare.pixel(bare.width() / 2, bare.height() - 3), bare.pixel(2, bare.height() - 3)) << "the neck goes on";
+    find<QComboBox>("colorBy")->setCurrentText("Patches");
+    settle();
+    ASSERT_TRUE(key->isVisible());
+    EXPECT_EQ(key->mapTo(window.get(), QPoint(0, key->height())), face->mapTo(window.get(), QPoint(0, face->height())));
+    const QImage band = key->grab().toImage();
+    EXPECT_EQ(band.pixelColor(2, 0).name(), mien::Theme::current().line.name());
+    EXPECT_EQ(band.pixelColor(2, 4).name(), mien::Theme::current().panel.name());
+  }
+  mien::Theme::apply(mien::Theme::Kind::Light, *qApp);
+}
+
+/// With as much room above as below, up to where a key may stand.
+TEST_F(ViewFit, TheFaceStandsInTheMiddleOfWhatNoKeyCovers) {
+  for (const QSize size : {QSize(1000, 700), QSize(1280, 800), QSize(2560, 1440)}) {
+    window->resize(size);
+    settle();
+    for (const char* name : {"faceView", "curveView"}) {
+      const auto* view = find<mien::RenderView>(name);
+      const auto [low, high, aside] = seen(find<mien::RenderView>(name), surface());
+      const double above = 0.5 * view->height() * (1.0 - high);
+      const double below = 0.5 * view->height() * (low + 1.0) - view->foot();
+      RecordProperty(name + std::to_string(size.width()), std::to_string(above) + " " + std::to_string(below));
+      EXPECT_NEAR(above, below, 0.02 * view->height()) << name << " " << size.width();
+    }
   }
 }
 

@@ -5,8 +5,8 @@
 
 #include "ColorScale.h"
 #include "CurveView.h"
+#include "FootBand.h"
 #include "RangeBox.h"
-#include "Theme.h"
 
 namespace mien {
 
@@ -41,9 +41,9 @@ CurveKeyBar::CurveKeyBar(CurveView* view, QWidget* parent)
   follow();
 }
 
-/// As the scale has it.
 void CurveKeyBar::paintEvent(QPaintEvent*) {
-  QPainter(this).fillRect(rect(), Theme::current().viewBottom);
+  QPainter painter(this);
+  paintFoot(painter, rect());
 }
 
 }  // namespace mien

@@ -22,7 +22,7 @@ constexpr double keyPixelsPerMillimetre = 4.8;  // letters of about 6 pt
 /// The colours of the screen on the page of the figure.
 Theme themeOf(const ExportOptions& options) {
   Theme theme = Theme::of(options.theme == "dark" ? Theme::Kind::Dark : Theme::Kind::Light);
-  theme.viewTop = theme.viewBottom = options.figureTheme().background;
+  theme.viewTop = theme.viewBottom = theme.panel = options.figureTheme().background;
   return theme;
 }
 
@@ -56,14 +56,15 @@ class ViewPage {
     width_ = millimetres * figureUnitsPerMillimetre;
     face_.setWidth((width_ - (count - 1.0) * gap()) / count);
     const RenderView* first = panels.front().view;
-    face_.setHeight(face_.width() * first->height() / std::max(1, first->width()));
+    face_.setHeight(face_.width() * first->freeHeight() / std::max(1, first->width()));
     for (size_t i = 0; i < panels.size(); ++i) {
       views_[i] = panels[i].view;
       captions_.emplace_back("", panels[i].caption, "", face_.width() / figureUnitsPerMillimetre);
       captionHeight_ = std::max(captionHeight_, captions_.back().belowHeight());
     }
     if (key && key->isVisibleTo(key->window()))
-      keyHeight_ = key->sizeHint().height() * figureUnitsPerMillimetre / keyPixelsPerMillimetre;
+      keyHeight_ =
+          std::max(key->sizeHint().height(), key->minimumHeight()) * figureUnitsPerMillimetre / keyPixelsPerMillimetre;
     note_ = FigureWords("", "", note, millimetres);
   }
 

@@ -29,7 +29,6 @@
 #include "LengthUnit.h"
 #include "OverflowRow.h"
 #include "RangeBox.h"
-#include "ScanKey.h"
 #include "ScanReportView.h"
 
 namespace mien {
@@ -69,8 +68,7 @@ ScanPanel::ScanPanel(FaceModel* model, FaceView* view, QWidget* parent)
       frontal_(new QCheckBox(tr("Front only"), this)),
       largest_(new RangeBox("scanLargest", longestRange, this)),
       progress_(new QProgressBar(this)),
-      report_(new ScanReportView(this)),
-      key_(new ScanKey(scanColor, view)) {
+      report_(new ScanReportView(this)) {
   setObjectName("scanPanel");
   describeButtons();
   describeMap();
@@ -374,7 +372,9 @@ void ScanPanel::showScan() {
   tellVisible();
   const bool isOpen = scan_ && visible_->isChecked(), isPlain = isOpen && !isHiddenByColors();
   const bool isColored = scan_ && map_->subject() == DistanceMap::Subject::Scan;
-  key_->setVisible(isPlain);
+  QColor seen = scanColor;
+  seen.setAlphaF(translucent);
+  view_->tellScan(isPlain ? seen : QColor());
   view_->setCompany(isPlain || isColored ? scan_->GetBounds() : nullptr);
   if (isPlain) {
     vtkNew<vtkPolyDataMapper> mapper;

@@ -24,7 +24,6 @@ class BackgroundTask;
 class FaceModel;
 class FaceView;
 class RangeBox;
-class ScanKey;
 class ScanReportView;
 
 /// What face does a scan have, and how far is the present one from it? A scan is measured off the GUI thread and shown
@@ -84,7 +83,6 @@ class ScanPanel : public QWidget, public SessionPart {
   RangeBox* largest_;
   QProgressBar* progress_;
   ScanReportView* report_;
-  ScanKey* key_;
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> curves_, scan_;
   std::vector<ScanReportLine> found_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "FaceLayout.h"
+#include "FootBand.h"
 #include "PatchColors.h"
 #include "RealMinus.h"
 #include "Theme.h"
@@ -69,6 +70,14 @@ void ColorKey::showPatches() {
   QStringList patches;
   for (int i = 0; i < FaceLayout::patchCount; ++i) patches << patchText(i);
   setToolTip(tr("The nine patches and the curves that bound them\n") + patches.join('\n'));
+  show();
+  update();
+}
+
+void ColorKey::showScan(const QColor& scan) {
+  shown_ = Shown::Skins;
+  scan_ = scan;
+  setToolTip(tr("The face in the colour of its skin, and the scan, which is translucent, over it"));
   show();
   update();
 }
@@ -152,16 +161,30 @@ void ColorKey::paintScale(QPainter& painter) const {
 }
 
 void ColorKey::paintPatches(QPainter& painter) const {
-  const QFontMetrics metrics = fontMetrics();
-  const double step = (width() - 2.0 * keySide) / FaceLayout::patchCount, middle = height() / 2.0;
-  for (int i = 0; i < FaceLayout::patchCount; ++i) {
-    const double left = keySide + i * step;
-    painter.setPen(QPen(Theme::current().line, 1.0));
-    painter.setBrush(QColor(static_cast<QRgb>(patchColors[i])));
-    painter.drawRect(QRectF(left, middle - swatch / 2.0, swatch, swatch));
-    painter.setPen(Theme::current().text);
-    painter.drawText(QPointF(left + swatch + swatchGap, middle + metrics.ascent() / 2.0 - 1.0), tr("P%1").arg(i));
-  }
+  const double step = (width() - 2.0 * keySide) / FaceLayout::patchCount;
+  for (int i = 0; i < FaceLayout::patchCount; ++i)
+    paintSwatch(painter, keySide + i * step, QColor(static_cast<QRgb>(patchColors[i])), tr("P%1").arg(i), step);
+}
+
+/// The background shows through the scan here as it does in the view.
+void ColorKey::paintSkins(QPainter& painter) const {
+  const double next = keySide + 2 * swatch + fontMetrics().horizontalAdvance(tr("Face")) + keyGap;
+  paintSwatch(painter, keySide, Theme::current().skin, tr("Face"));
+  paintSwatch(painter, next, scan_, tr("Scan"));
+}
+
+/// Where there is little room the swatch is narrow.
+void ColorKey::paintSwatch(QPainter& painter, double left, const QColor& color, const QString& text,
+                           double room) const {
+  const double gap = std::min<double>(swatchGap, 0.1 * room);
+  const double wide = std::clamp(room - fontMetrics().horizontalAdvance(text) - 2.0 * gap, 0.4 * swatch, 1.0 * swatch);
+  const QRectF place(left, 0.5 * (height() - swatch), wide, swatch);
+  painter.fillRect(place, Theme::current().viewBottom);
+  painter.setPen(QPen(Theme::current().line, 1.0));
+  painter.setBrush(color);
+  painter.drawRect(place);
+  painter.setPen(Theme::current().text);
+  painter.drawText(QPointF(place.right() + gap, 0.5 * (height() + fontMetrics().ascent()) - 1.0), text);
 }
 
 void ColorKey::paintWords(QPainter& painter) const {
@@ -173,10 +196,12 @@ void ColorKey::paintWords(QPainter& painter) const {
 void ColorKey::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), Theme::current().viewBottom);
-  if (shown_ == Shown::Scale) paintScale(painter);
-  if (shown_ == Shown::Patches) paintPatches(painter);
+  paintFoot(painter, rect());
   if (shown_ == Shown::Words) paintWords(painter);
+  if (shown_ == Shown::Patches) paintPatches(painter);
+  if (shown_ == Shown::Skins) paintSkins(painter);
+  painter.translate(0.0, (height() - sizeHint().height()) / 2);
+  if (shown_ == Shown::Scale) paintScale(painter);
 }
 
 }  // namespace mien

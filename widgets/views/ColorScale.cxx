@@ -81,7 +81,6 @@ void ColorScale::paintEvent(QPaintEvent*) {
   const Theme& theme = Theme::current();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), theme.viewBottom);
   const QFontMetrics metrics = fontMetrics();
   const int before = side + titleWidth(isNarrow()) + scaleGap;
   const QRectF bar(before, above, std::max(20, width() - before - roomAfter()), barHeight);

@@ -144,12 +144,12 @@ CurveOverlay::Places CurveOverlay::outermost(vtkPolyData* curves) const {
 /// From the lowest up, apart from each other and within the view.
 std::vector<double> CurveOverlay::heights(const std::vector<int>& curves, const Places& places) const {
   const double pixel = view_->devicePixelRatioF(), height = view_->renderer()->GetSize()[1];
-  const double apart = std::min(nameHeight * pixel, (height - 2.0 * margin * pixel) / curves.size());
-  const double top = height - margin * pixel;
+  const double low = (margin + view_->foot()) * pixel, top = height - margin * pixel;
+  const double apart = std::min(nameHeight * pixel, (top - low) / curves.size());
   std::vector<double> wanted;
   for (size_t i = 0; i < curves.size(); ++i)
-    wanted.push_back(std::clamp(places[curves[i]][1], margin * pixel + apart * i,
-                                std::max(margin * pixel + apart * i, top - apart * (curves.size() - 1 - i))));
+    wanted.push_back(std::clamp(places[curves[i]][1], low + apart * i,
+                                std::max(low + apart * i, top - apart * (curves.size() - 1 - i))));
   std::sort(wanted.begin(), wanted.end());
   return spreadLabels(wanted, apart);
 }

@@ -1,123 +1,109 @@
 #include "DifferenceArrows.h"
 
-#include <vtkActor.h>
-#include <vtkArrowSource.h>
-#include <vtkDoubleArray.h>
-#include <vtkGlyph3DMapper.h>
+#include <vtkCamera.h>
+#include <vtkCommand.h>
+#include <vtkDataArray.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 
-#include <QEvent>
 #include <array>
 #include <cmath>
-#include <set>
+#include <map>
+#include <vector>
 
 #include "RenderView.h"
-#include "Theme.h"
 
 namespace mien {
 
 namespace {
 
-constexpr double spacing = 6.0;  // mm between arrows; doubled until there are few enough
-constexpr int most = 1500;
-constexpr const char* arrowArray = "Arrow";
+constexpr double least = 6.0;         // mm between arrows
+constexpr double pixelsApart = 18.0;  // the same as it is seen, or else they are further apart
+constexpr double coarser = 1.5;       // each such distance, of the one before
+constexpr size_t most = 1500;
 
-/// One point of each cube of space, the first.
-std::vector<vtkIdType> spread(vtkPolyData* surface, vtkDataArray* vectors, double longest, double edge) {
-  std::set<std::array<int, 3>> taken;
-  std::vector<vtkIdType> chosen;
-  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i) {
-    double point[3], vector[3];
-    vectors->GetTuple(i, vector);
-    const double length = std::hypot(vector[0], vector[1], vector[2]);
-    if (!(length >= DifferenceArrows::leastLength && length <= longest)) continue;
-    surface->GetPoint(i, point);
-    std::array<int, 3> cube;
-    for (int k = 0; k < 3; ++k) cube[k] = static_cast<int>(std::floor(point[k] / edge));
-    if (taken.insert(cube).second) chosen.push_back(i);
+/// Points of which no two are nearer than a distance.
+class Spread {
+ public:
+  explicit Spread(double apart) : apart_(apart) {}
+
+  bool take(const Eigen::Vector3d& point) {
+    Cube middle;
+    for (int k = 0; k < 3; ++k) middle[k] = static_cast<int>(std::floor(point[k] / apart_));
+    for (int neighbour = 0; neighbour < 27; ++neighbour) {
+      const auto found = taken_.find(
+          {middle[0] + neighbour % 3 - 1, middle[1] + neighbour / 3 % 3 - 1, middle[2] + neighbour / 9 - 1});
+      if (found == taken_.end()) continue;
+      for (const Eigen::Vector3d& other : found->second)
+        if ((other - point).norm() < apart_) return false;
+    }
+    taken_[middle].push_back(point);
+    return true;
   }
-  return chosen;
-}
+
+ private:
+  using Cube = std::array<int, 3>;
+
+  double apart_;
+  std::map<Cube, std::vector<Eigen::Vector3d>> taken_;
+};
 
 }  // namespace
 
-DifferenceArrows::DifferenceArrows(RenderView* view, QObject* parent) : QObject(parent), view_(view) {
-  vtkNew<vtkArrowSource> arrow;
-  arrow->SetTipResolution(8);
-  arrow->SetShaftResolution(6);
-  arrow->SetTipLength(0.3);
-  arrow->SetTipRadius(0.11);
-  arrow->SetShaftRadius(0.035);
-  mapper_->SetSourceConnection(arrow->GetOutputPort());
-  mapper_->SetInputData(origins_);
-  mapper_->SetOrientationArray(arrowArray);
-  mapper_->SetScaleArray(arrowArray);
-  mapper_->SetScaleModeToScaleByMagnitude();
-  mapper_->ScalarVisibilityOff();
-  actor_->SetMapper(mapper_);
-  actor_->GetProperty()->SetAmbient(0.35);
-  actor_->GetProperty()->SetDiffuse(0.65);
-  actor_->VisibilityOff();
-  view_->renderer()->AddActor(actor_);
-  view_->installEventFilter(this);
-  useTheme();
+DifferenceArrows::DifferenceArrows(RenderView* view, QObject* parent)
+    : QObject(parent), view_(view), renderer_(view->renderer()), layer_(view->renderer()) {
+  started_ = renderer_->AddObserver(vtkCommand::StartEvent, this, &DifferenceArrows::prepare);
 }
 
-DifferenceArrows::~DifferenceArrows() = default;
+DifferenceArrows::~DifferenceArrows() {
+  renderer_->RemoveObserver(started_);
+}
 
 void DifferenceArrows::show(vtkPolyData* surface, const char* array, double longest) {
   longest_ = longest;
   surface ? surface_->ShallowCopy(surface) : surface_->Initialize();
   array_ = array;
-  draw();
+  choose(apart_);
+  view_->redraw();
 }
 
 void DifferenceArrows::setFactor(double factor) {
   factor_ = factor;
-  mapper_->SetScaleFactor(factor);
-  draw();
-}
-
-int DifferenceArrows::count() const {
-  return actor_->GetVisibility() ? static_cast<int>(origins_->GetNumberOfPoints()) : 0;
-}
-
-void DifferenceArrows::draw() {
-  vtkDataArray* vectors = surface_->GetPointData()->GetArray(array_.c_str());
-  actor_->SetVisibility(vectors && factor_ > 0.0);
-  if (actor_->GetVisibility()) {
-    double edge = spacing;
-    std::vector<vtkIdType> chosen = spread(surface_, vectors, longest_, edge);
-    while (chosen.size() > most) chosen = spread(surface_, vectors, longest_, edge *= 1.5);
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkDoubleArray> arrows;
-    arrows->SetName(arrowArray);
-    arrows->SetNumberOfComponents(3);
-    for (vtkIdType i : chosen) {
-      points->InsertNextPoint(surface_->GetPoint(i));
-      arrows->InsertNextTuple(vectors->GetTuple(i));
-    }
-    origins_->SetPoints(points);
-    origins_->GetPointData()->Initialize();
-    origins_->GetPointData()->AddArray(arrows);
-    origins_->Modified();
-  }
+  choose(apart_);
   view_->redraw();
 }
 
-bool DifferenceArrows::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) useTheme();
-  return QObject::eventFilter(watched, event);
+int DifferenceArrows::count() const {
+  return static_cast<int>(arrows_.size());
 }
 
-/// Dark on skin and on the pale colours of a scale.
-void DifferenceArrows::useTheme() {
-  const QColor& color = Theme::of(Theme::Kind::Light).mesh;
-  actor_->GetProperty()->SetColor(color.redF(), color.greenF(), color.blueF());
+void DifferenceArrows::choose(double apart) {
+  arrows_.clear();
+  vtkDataArray* vectors = factor_ > 0.0 ? surface_->GetPointData()->GetArray(array_.c_str()) : nullptr;
+  vtkDataArray* normals = surface_->GetPointData()->GetNormals();
+  Spread spread(apart);
+  for (vtkIdType i = 0; vectors && i < surface_->GetNumberOfPoints(); ++i) {
+    const Eigen::Vector3d point(surface_->GetPoint(i)), vector(vectors->GetTuple3(i));
+    const double length = vector.norm();
+    if (!(length >= leastLength && length <= longest_) || !spread.take(point)) continue;
+    const Eigen::Vector3d normal = normals ? Eigen::Vector3d(normals->GetTuple3(i)) : Eigen::Vector3d::Zero();
+    arrows_.push_back({point, point + factor_ * vector, normal});
+  }
+  if (arrows_.size() > most) return choose(coarser * apart);
+  layer_.setVisible(!arrows_.empty());
+}
+
+/// Before each picture, as the camera may have moved. Zooming thins them in steps, so that most stay where they are.
+void DifferenceArrows::prepare() {
+  if (arrows_.empty()) return;
+  vtkCamera* lens = renderer_->GetActiveCamera();
+  const double pixel = 2.0 * lens->GetDistance() * std::tan(lens->GetViewAngle() * M_PI / 360.0) / view_->height();
+  double apart = least;
+  while (apart < pixelsApart * pixel) apart *= coarser;
+  if (apart != apart_) choose(apart_ = apart);
+  layer_.draw(arrows_, pixel, surface_);
+  renderer_->ResetCameraClippingRange();
 }
 
 }  // namespace mien

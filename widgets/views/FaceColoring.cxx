@@ -51,6 +51,7 @@ FaceColoring::FaceColoring(FaceModel* model, FaceView* view, Comparison* compari
   connect(model_, &FaceModel::updated, this, &FaceColoring::follow);
   connect(model_, &FaceModel::stateChanged, this, &FaceColoring::changed);  // a photograph may have come or gone
   connect(view_, &FaceView::overlayChanged, this, &FaceColoring::followOverlay);
+  connect(view_, &FaceView::scanChanged, this, &FaceColoring::keySkins);
   connect(comparison_, &Comparison::changed, this, &FaceColoring::followComparison);
   connect(comparison_, &Comparison::measured, this, [this] {
     if (kind_ != Kind::Difference) return;
@@ -61,6 +62,12 @@ FaceColoring::FaceColoring(FaceModel* model, FaceView* view, Comparison* compari
 }
 
 FaceColoring::~FaceColoring() = default;
+
+std::vector<ColorKey*> FaceColoring::keys() const {
+  std::vector<ColorKey*> all;
+  for (const auto& side : sides_) all.push_back(side->key);
+  return all;
+}
 
 FaceColoring::Side::Side(FaceView* shown) : view(shown), key(new ColorKey(shown)) {}
 
@@ -202,11 +209,19 @@ void FaceColoring::followOverlay(const QObject* overlay) {
   if (shown) clearColors();
   ColorKey* key = sides_.front()->key;
   dock && dock->scale() ? key->showScale(*dock->scale()) : key->clear();
+  keySkins();
   if (sides_.size() > 1)
     dock && dock->scale() ? sides_[1]->key->showWords(tr("%1: of A alone").arg(dock->words()))
                           : sides_[1]->key->clear();
   setDock(dock ? dock->words() : QString());
   emit changed();
+}
+
+/// Without numbers on the face its key has room for the two skins.
+void FaceColoring::keySkins() {
+  if (kind_ != Kind::Skin) return;
+  ColorKey* key = sides_.front()->key;
+  view_->scan().isValid() ? key->showScan(view_->scan()) : key->clear();
 }
 
 void FaceColoring::setDock(const QString& words) {

@@ -37,7 +37,8 @@ class FaceColoring : public QObject {
 
   void setOther(FaceView* view);  ///< in which B is shown
 
-  ColorKey* key() const { return sides_.back()->key; }  ///< of the last view, to be put below it
+  ColorKey* key() const { return sides_.back()->key; }  ///< of the last view, to be put at its foot
+  std::vector<ColorKey*> keys() const;                  ///< of all views
 
   /// Of the surface as the pipeline makes it, that it is coloured by; empty for its skin, a part of an array, and what
   /// comes from elsewhere.
@@ -72,6 +73,7 @@ class FaceColoring : public QObject {
   void produce(const FaceArray& array);
   void follow();
   void followOverlay(const QObject* overlay);
+  void keySkins();
   void setDock(const QString& words);
   void followComparison();
   void growRange();

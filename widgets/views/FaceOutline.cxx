@@ -14,8 +14,8 @@ namespace mien {
 
 namespace {
 
-constexpr double viewMargin = 0.075;  // of the face's extent, around it at rest; its near parts look larger
-constexpr double jawRoom = 0.17;      // below it, of its height: for the chin of every expression
+constexpr double viewMargin = 0.075;  // of the face's width, beside it at rest; its near parts look larger
+constexpr double jawRoom = 0.13;      // below it, of its height: for the chin of every expression; as much above it
 constexpr double thinMargin = 0.03;   // around all that it reaches
 constexpr double nearestShare = 0.5;  // of the distance: what comes nearer is not magnified further
 constexpr double mostReach = 0.6;     // values beyond all sense must not make a face a dot
@@ -106,10 +106,10 @@ FaceOutline outlineOf(const ViewAxes& axes, const FaceModel& model, const FaceOu
   FaceOutline rest = restingOutline(axes, model), reach;
   for (const MotionReach::Point& point : model.reach().points()) addSeen(axes, point.data(), seen, distance, reach);
   for (int axis : {0, 1}) {
-    const double size = rest.size(axis), room = viewMargin * size, most = mostReach * size;
+    const double size = rest.size(axis), room = (axis == 1 ? jawRoom : viewMargin) * size, most = mostReach * size;
     const double below = rest.low[axis] - reach.low[axis] + thinMargin * size;
     const double beyond = reach.high[axis] - rest.high[axis] + thinMargin * size;
-    rest.low[axis] -= std::clamp(below, axis == 1 ? jawRoom * size : room, most);
+    rest.low[axis] -= std::clamp(below, room, most);
     rest.high[axis] += std::clamp(beyond, room, most);
   }
   return rest;

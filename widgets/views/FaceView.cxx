@@ -143,6 +143,11 @@ void FaceView::showOverlay(const QObject* overlay, bool skinStays) {
   emit overlayChanged(overlay);
 }
 
+void FaceView::tellScan(const QColor& color) {
+  scan_ = color;
+  emit scanChanged();
+}
+
 void FaceView::setTexture(vtkImageData* image) {
   textured_ = image != nullptr;
   if (image) texture_->SetInputData(image);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QColor>
+
 #include "MouthActor.h"
 #include "RenderView.h"
 
@@ -46,11 +48,16 @@ class FaceView : public RenderView {
   /// @param legend  must live while it is shown
   void setColors(const FaceArray& array, const ColorLegend* legend);
 
+  /// Says that a scan lies over the skin, in a colour with its opacity; an invalid colour: none.
+  void tellScan(const QColor& color);
+  const QColor& scan() const { return scan_; }
+
   void useTheme() override;
   bool showsSurface() const override;
 
  signals:
   void overlayChanged(const QObject* overlay);
+  void scanChanged();
 
  private:
   bool isOpen() const { return mesh_ == Mesh::Wireframe || mesh_ == Mesh::Points; }  ///< what is behind it is seen
@@ -67,6 +74,7 @@ class FaceView : public RenderView {
   vtkNew<vtkTexture> texture_;
   MouthActor mouth_{renderer()};
   Mesh mesh_ = Mesh::Shaded;
+  QColor scan_;
   bool textured_ = false, colored_ = false, foreign_ = false;
 };
 

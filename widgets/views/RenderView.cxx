@@ -156,6 +156,23 @@ void RenderView::setCompany(const std::vector<std::array<double, 3>>& points, in
   companyMargin_ = margin;
 }
 
+void RenderView::setFoot(int pixels) {
+  if (pixels == foot_) return;
+  foot_ = pixels;
+  raiseCentre();
+  if (!moved_) placeCamera();
+  redraw();
+}
+
+int RenderView::freeHeight() const {
+  return std::max(1, height() - foot_);
+}
+
+/// What the camera looks at stands in the middle of what is above the foot.
+void RenderView::raiseCentre() {
+  camera()->SetWindowCenter(0.0, -static_cast<double>(foot_) / std::max(1, height()));
+}
+
 bool RenderView::hasTwin() const {
   return twin_ && twin_->isVisibleTo(twin_->window());
 }
@@ -163,7 +180,7 @@ bool RenderView::hasTwin() const {
 /// Twins show all of it in the smaller of them.
 double RenderView::millimetresPerPixel(double width, double height) const {
   const auto perPixel = [&](const RenderView& view) {
-    return std::max(width / std::max(1, view.width()), height / std::max(1, view.height()));
+    return std::max(width / std::max(1, view.width()), height / view.freeHeight());
   };
   return hasTwin() ? std::max(perPixel(*this), perPixel(*twin_)) : perPixel(*this);
 }
@@ -322,6 +339,7 @@ void RenderView::useTheme() {
 
 void RenderView::resizeEvent(QResizeEvent* event) {
   QVTKOpenGLNativeWidget::resizeEvent(event);
+  raiseCentre();
   if (moved_) return hasTwin() ? takeCamera(twin_) : void();
   placeCamera();  // not fit(): the other view has a size of its own
   redraw();

@@ -45,6 +45,11 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   /// The same for some points (mm), of which each stays that many pixels within the view; none: the face alone.
   void setCompany(const std::vector<std::array<double, 3>>& points, int margin);
 
+  /// Pixels at the lower edge that a key may cover: what fills the view ends above them, its background goes on.
+  void setFoot(int pixels);
+  int foot() const { return foot_; }
+  int freeHeight() const;  ///< pixels above the foot
+
   /// What linked views of different sizes have in common.
   enum class Zoom {
     Filling,  ///< what fills one fills the other
@@ -64,8 +69,8 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   bool isUndoable() const override { return false; }
 
   vtkRenderer* renderer() const { return renderer_; }
-  void redraw();            ///< with the next paint event
-  virtual void useTheme();  ///< takes the colours of the current theme
+  void redraw();                                      ///< with the next paint event
+  virtual void useTheme();                            ///< takes the colours of the current theme
   virtual bool showsSurface() const { return true; }  ///< behind lines that are drawn on it; else the background
 
  signals:
@@ -83,6 +88,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   void userMoved();
   bool pressKey(int key);
   void placeCamera();
+  void raiseCentre();
   void followReach();
   const RenderView& leader() const;          ///< of those that are linked; itself where none is
   std::array<double, 4> fittingBox() const;  ///< left, right, low, high of the whole face, mm
@@ -103,6 +109,7 @@ class RenderView : public QVTKOpenGLNativeWidget, public SessionPart {
   QPointer<RenderView> twin_;                   ///< linked to scale
   std::vector<std::array<double, 3>> company_;
   int companyMargin_ = 0;  ///< pixels
+  int foot_ = 0;
   Side side_ = Side::Front;
   bool moved_ = false, outdated_ = true;
 };

@@ -1,5 +1,6 @@
 #include "ViewFrame.h"
 
+#include <QGridLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -19,7 +20,10 @@ constexpr int longestTitle = 210;  // pixels that a title has before any button;
 }  // namespace
 
 ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
-    : QFrame(parent), header_(new OverflowRow(view->objectName() + "Header", this)), name_(new ElidedLabel(this)) {
+    : QFrame(parent),
+      header_(new OverflowRow(view->objectName() + "Header", this)),
+      stage_(new QGridLayout),
+      name_(new ElidedLabel(this)) {
   setProperty("card", true);
   setObjectName(view->objectName().replace("View", "Frame"));
   name_->setProperty("heading", true);
@@ -32,7 +36,9 @@ ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
   column->setContentsMargins(edge, edge, edge, edge);
   column->setSpacing(0);
   column->addWidget(header_);
-  column->addWidget(view, 1);
+  stage_->setContentsMargins(0, 0, 0, 0);
+  stage_->addWidget(view, 0, 0);
+  column->addLayout(stage_, 1);
 }
 
 void ViewFrame::setTitle(const QString& title) {
@@ -77,6 +83,11 @@ QToolButton* ViewFrame::addToggle(const QString& objectName, const QString& text
 
 void ViewFrame::addBelow(QWidget* widget) {
   layout()->addWidget(widget);
+}
+
+void ViewFrame::addFoot(QWidget* widget) {
+  stage_->addWidget(widget, 0, 0, Qt::AlignBottom);
+  widget->raise();
 }
 
 void ViewFrame::addControl(QWidget* control) {

@@ -2,6 +2,7 @@
 
 #include <QFrame>
 
+class QGridLayout;
 class QToolButton;
 
 namespace mien {
@@ -24,6 +25,7 @@ class ViewFrame : public QFrame {
   void addControl(QWidget* control);  ///< in the head, after what is there
   void addGap();
   void addBelow(QWidget* widget);
+  void addFoot(QWidget* widget);  ///< over the lower edge of the view
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -32,6 +34,7 @@ class ViewFrame : public QFrame {
   QToolButton* button(const QString& objectName, const QString& text, const QString& toolTip);
 
   OverflowRow* header_;
+  QGridLayout* stage_;
   int controls_ = 0;
   ElidedLabel* name_;
 };

@@ -2,6 +2,7 @@
 
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
+#include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
@@ -10,6 +11,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "RenderView.h"
@@ -28,9 +30,12 @@ class Enlarged {
   Enlarged(RenderView* view, const QSize& size)
       : renderer_(view->renderer()),
         window_(view->renderWindow()),
+        camera_(view->camera()),
         size_(window_->GetSize()[0], window_->GetSize()[1]) {
     dotsPerInch_ = window_->GetDPI();
-    const double factor = static_cast<double>(size.height()) / std::max(1, size_.height());
+    const double free = static_cast<double>(view->freeHeight()) / std::max(1, view->height());
+    const double factor = size.height() / std::max(1.0, free * size_.height());
+    leaveOutFoot(free);
     smooth_ = renderer_->GetUseFXAA();
     resize(size, qRound(dotsPerInch_ * factor));
     widen(factor);
@@ -43,6 +48,8 @@ class Enlarged {
     }
     resize(size_, dotsPerInch_);
     renderer_->SetUseFXAA(smooth_);
+    camera_->SetViewAngle(angle_);
+    camera_->SetWindowCenter(centre_[0], centre_[1]);
   }
   Enlarged(const Enlarged&) = delete;
   Enlarged& operator=(const Enlarged&) = delete;
@@ -52,6 +59,14 @@ class Enlarged {
     vtkSmartPointer<vtkProperty> property;
     float line, point;
   };
+
+  /// A figure has its key below the picture, not over it.
+  void leaveOutFoot(double free) {
+    angle_ = camera_->GetViewAngle();
+    camera_->GetWindowCenter(centre_);
+    camera_->SetViewAngle(360.0 / M_PI * std::atan(free * std::tan(angle_ * M_PI / 360.0)));
+    camera_->SetWindowCenter(0.0, 0.0);
+  }
 
   void resize(const QSize& size, int dotsPerInch) {
     window_->SetSize(size.width(), size.height());
@@ -70,7 +85,9 @@ class Enlarged {
 
   vtkRenderer* renderer_;
   vtkRenderWindow* window_;
+  vtkCamera* camera_;
   QSize size_;
+  double angle_ = 0.0, centre_[2] = {0.0, 0.0};
   int dotsPerInch_;
   std::vector<Widths> widths_;
   bool smooth_;

@@ -25,7 +25,6 @@
 #include "FaceModel.h"
 #include "FaceOutline.h"
 #include "FaceStateText.h"
-#include "KeyStrip.h"
 #include "PointNumbers.h"
 #include "ViewExport.h"
 #include "ViewFrame.h"
@@ -85,7 +84,7 @@ QWidget* ViewArea::displayRow() {
   layout->setSpacing(6);
   auto* bar = new ColoringBar(coloring_, row);
   faceKey_ = coloring_->key();
-  faceFrame_->addBelow(new KeyStrip(faceKey_, this));
+  faceFrame_->addFoot(faceKey_);
   connect(bar, &ColoringBar::colorChosen, this, &ViewArea::colorChosen);
   connect(bar, &ColoringBar::curvesToggled, this, [this](bool on) {
     curvesOn_ = on;
@@ -146,7 +145,8 @@ void ViewArea::addSideButtons() {
 void ViewArea::addCurveFrame() {
   auto* key = new CurveKeyBar(curves_, this);
   curveKey_ = key->scale();
-  curveFrame_->addBelow(key);
+  curveFoot_ = key;
+  curveFrame_->addFoot(key);
   const auto add = [&](const QString& name, const QString& text, const QString& tip) {
     return curveFrame_->addToggle(name, text, tip, true);
   };
@@ -169,11 +169,12 @@ void ViewArea::addOther() {
   connect(other_, &RenderView::cameraMoved, this, &ViewArea::cameraMoved);
   otherFrame_ = new ViewFrame(QString(), other_, this);
   coloring_->setOther(other_);
-  otherFrame_->addBelow(new KeyStrip(coloring_->key(), this));
+  otherFrame_->addFoot(coloring_->key());
   for (ViewFrame* frame : {faceFrame_, otherFrame_}) addSummary(frame);
   addOtherButtons();
   overlays_.push_back(new CurveOverlay(comparison_->other(), other_, this));
   arrows_.push_back(new DifferenceArrows(other_, this));
+  keepFeet();
   splitter_->insertWidget(1, otherFrame_);
   shareOut();
   other_->link(face_, RenderView::Zoom::ToScale);
@@ -200,7 +201,8 @@ void ViewArea::addOtherButtons() {
   for (double factor : arrowFactors)
     arrows->addItem(factor > 0.0 ? tr("Arrows \u00d7 %1").arg(factor) : tr("No arrows"), factor);
   arrows->setToolTip(
-      tr("The difference as vectors from each face to the other: true length, or 2 to 10 times as long"));
+      tr("The difference as arrows: on A from its points to those of B, on B from its points to those of A; of a mesh "
+         "or scan to the nearest point. True length, or 2 to 10 times as long"));
   connect(arrows, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, arrows] {
     for (DifferenceArrows* one : arrows_) one->setFactor(arrows->currentData().toDouble());
   });
@@ -301,6 +303,16 @@ void ViewArea::arrange() {
 void ViewArea::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   arrange();
+  keepFeet();
+}
+
+/// Keys have one height, and views room for them whether they are shown or not: they are of one scale, whatever is
+/// chosen as colour.
+void ViewArea::keepFeet() {
+  const int foot = curveFoot_->sizeHint().height();
+  for (RenderView* view : std::initializer_list<RenderView*>{face_, other_, curves_})
+    if (view) view->setFoot(foot);
+  for (QWidget* key : coloring_->keys()) key->setFixedHeight(foot);
 }
 
 void ViewArea::linkCameras(bool linked) {

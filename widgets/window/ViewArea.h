@@ -65,6 +65,7 @@ class ViewArea : public QWidget {
   void showCurves();
   void showDifference();
   void arrange();
+  void keepFeet();
   void linkCameras(bool linked);
   void showWhole();
   void addExporters();
@@ -83,7 +84,7 @@ class ViewArea : public QWidget {
   std::vector<ComparisonSummary*> summaries_;
   std::vector<std::array<double, 3>> held_;  ///< of the mesh that is compared, by the camera
   Exporter *faceExporter_ = nullptr, *curveExporter_ = nullptr;
-  QWidget *faceKey_ = nullptr, *curveKey_ = nullptr;
+  QWidget *faceKey_ = nullptr, *curveKey_ = nullptr, *curveFoot_ = nullptr;
   QComboBox* mesh_;
   QSplitter* splitter_;
   QToolButton* swap_ = nullptr;
