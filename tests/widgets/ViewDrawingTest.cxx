@@ -209,7 +209,7 @@ TEST_F(ViewDrawing, LipsThatMeetShowNoDashes) {
 /// White with a dark rim, on both faces alike: those that lead into a face are not cut off by it.
 TEST_F(ViewDrawing, ArrowsOfAComparisonStandOutOnBothFaces) {
   auto* choice = find<QComboBox>("compareWith");
-  emit choice->activated(choice->findText("This state"));
+  emit choice->activated(choice->findText("Keep this state"));
   window->model().change([](mien::FaceState& state) { state.expressions = {{"joy", 1.0}}; });
   settle();
   for (Theme::Kind kind : {Theme::Kind::Light, Theme::Kind::Dark}) {
@@ -234,7 +234,7 @@ TEST_F(ViewDrawing, ArrowsOfAComparisonStandOutOnBothFaces) {
 
 TEST_F(ViewDrawing, ArrowsOfAComparisonKeepApart) {
   auto* choice = find<QComboBox>("compareWith");
-  emit choice->activated(choice->findText("This state"));
+  emit choice->activated(choice->findText("Keep this state"));
   window->model().change([](mien::FaceState& state) { state.expressions = {{"joy", 1.0}}; });
   find<QComboBox>("compareArrows")->setCurrentIndex(2);
   settle();

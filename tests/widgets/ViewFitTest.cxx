@@ -264,7 +264,7 @@ TEST_F(ViewFit, TheFaceOfAHeadIsLargeAndItsNeckIsNotCounted) {
   expectUncountedWithoutNumber(comparison->drawn(mien::Comparison::Side::B), chin() - 15.0);
   const QString summary = comparison->summary(mien::Comparison::Side::B);
   EXPECT_TRUE(summary.startsWith("B to A, ")) << summary.toStdString();
-  EXPECT_TRUE(summary.endsWith(" % of A: RMS 0.00, 95 % \u2264 0.00, max 0.00 mm")) << summary.toStdString();
+  EXPECT_TRUE(summary.endsWith(" % of B: RMS 0.00, 95 % \u2264 0.00, max 0.00 mm")) << summary.toStdString();
   EXPECT_EQ(cutTitles().join("; ").toStdString(), "");
   const double withHead = distance("faceView");
   compareScheme("tangent");

@@ -43,7 +43,8 @@ ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
 
 void ViewFrame::setTitle(const QString& title) {
   name_->setText(title);
-  name_->ensurePolished();  // headings are bold
+  name_->ensurePolished();    // headings are bold
+  name_->setMinimumWidth(0);  // which a label adds to what it asks for
   name_->setMinimumWidth(std::min(longestTitle, name_->sizeHint().width()));
 }
 

@@ -207,6 +207,7 @@ void ViewArea::addOtherButtons() {
     for (DifferenceArrows* one : arrows_) one->setFactor(arrows->currentData().toDouble());
   });
   otherFrame_->addControl(arrows);
+  otherFrame_->addGap();
   QToolButton* link = otherFrame_->addToggle("compareLink", tr("Link"), tr("Turn and zoom together with A"), true);
   connect(link, &QToolButton::toggled, this,
           [this](bool on) { on ? other_->link(face_, RenderView::Zoom::ToScale) : other_->unlink(); });
