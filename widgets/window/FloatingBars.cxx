@@ -5,6 +5,8 @@
 #include <QWidget>
 #include <algorithm>
 
+#include "RenderView.h"
+
 namespace mien {
 
 namespace {
@@ -18,8 +20,8 @@ int heightOf(const QWidget& bar, int width) {
 
 }  // namespace
 
-FloatingBars::FloatingBars(QWidget* area, const QList<QWidget*>& feet, const QList<QWidget*>& bars, QWidget* parent)
-    : QObject(parent), area_(area), parent_(parent), feet_(feet), bars_(bars) {
+FloatingBars::FloatingBars(QWidget* area, const QList<RenderView*>& views, const QList<QWidget*>& bars, QWidget* parent)
+    : QObject(parent), area_(area), parent_(parent), views_(views), bars_(bars) {
   for (QWidget* bar : bars_) {
     const bool isHidden = bar->isHidden();
     bar->setParent(parent);
@@ -27,7 +29,7 @@ FloatingBars::FloatingBars(QWidget* area, const QList<QWidget*>& feet, const QLi
     bar->installEventFilter(this);
   }
   area->installEventFilter(this);
-  for (QWidget* foot : feet) foot->installEventFilter(this);
+  for (RenderView* view : views) view->installEventFilter(this);
 }
 
 bool FloatingBars::eventFilter(QObject* watched, QEvent* event) {
@@ -52,8 +54,8 @@ void FloatingBars::place() {
   const int left = area_->mapTo(parent_, QPoint()).x();
   const int most = std::min(mostWidth, area_->width() - 2 * edge);
   int bottom = parent_->height();
-  for (const QWidget* foot : feet_)
-    if (foot->isVisible()) bottom = std::min(bottom, foot->mapTo(parent_, QPoint()).y() + foot->height() - edge);
+  for (const RenderView* view : views_)  // not over the key at its foot
+    if (view->isVisible()) bottom = std::min(bottom, view->mapTo(parent_, QPoint()).y() + view->freeHeight() - edge);
   for (QWidget* bar : bars_) {
     if (bar->isHidden()) continue;
     const int width = std::min(most, bar->maximumWidth());
