@@ -88,6 +88,17 @@ TEST_F(RowScroll, RowsNeverLieUnderTheBarAndThereIsNoneWhereAllFit) {
   expectRowsBesideTheirBars("all FAPs");
 }
 
+TEST_F(RowScroll, AllFAPsAreWholeWhenTheyFirstCome) {
+  window->resize(1280, 800);
+  rest();
+  find<QToolButton>("fapAll")->click();
+  rest();
+  expectRowsBesideTheirBars("all FAPs at once");
+  const auto* list = find<mien::RowScroll>("fapList");
+  for (const auto* row : list->widget()->findChildren<mien::FAPRow*>())
+    EXPECT_LE(placeOf(row, list->viewport()).right(), list->viewport()->width()) << "FAP " << row->fap();
+}
+
 /// A page that gets longer and shorter, and a view that does.
 TEST_F(RowScroll, TheBarComesAndGoesWithTheRows) {
   mien::RowScroll scroll;

@@ -110,6 +110,8 @@ void RowScroll::fit() {
   const bool scrolls = verticalScrollBarPolicy() == Qt::ScrollBarAlwaysOn;
   const QMargins margins(0, 0, 0, scrolls ? room() - endOfRows(room()) : 0);
   if (margins != viewportMargins()) setViewportMargins(margins);
+  QLayout* layout = widget()->layout();  // of a page that was hidden it may still be as wide as without a bar
+  if (layout && layout->geometry() != widget()->contentsRect()) layout->setGeometry(widget()->contentsRect());
 }
 
 }  // namespace mien

@@ -3,6 +3,7 @@
 #include <QLinearGradient>
 #include <QPainter>
 #include <algorithm>
+#include <utility>
 
 #include "FaceLayout.h"
 #include "FootBand.h"
@@ -28,6 +29,12 @@ QString patchText(int patch) {
 
 QString keyNumber(double value) {
   return withRealMinus(QString::number(value, 'g', 3));
+}
+
+QColor over(const QColor& below, const QColor& translucent) {
+  const auto mixed = [&](double back, double front) { return back + translucent.alphaF() * (front - back); };
+  return QColor::fromRgbF(mixed(below.redF(), translucent.redF()), mixed(below.greenF(), translucent.greenF()),
+                          mixed(below.blueF(), translucent.blueF()));
 }
 
 /// The unit stays, whatever else has no room.
@@ -166,11 +173,16 @@ void ColorKey::paintPatches(QPainter& painter) const {
     paintSwatch(painter, keySide + i * step, QColor(static_cast<QRgb>(patchColors[i])), tr("P%1").arg(i), step);
 }
 
-/// The background shows through the scan here as it does in the view.
+/// The background and the face show through the scan here as they do in the view.
 void ColorKey::paintSkins(QPainter& painter) const {
-  const double next = keySide + 2 * swatch + fontMetrics().horizontalAdvance(tr("Face")) + keyGap;
-  paintSwatch(painter, keySide, Theme::current().skin, tr("Face"));
-  paintSwatch(painter, next, scan_, tr("Scan"));
+  const QColor& skin = Theme::current().skin;
+  const std::pair<QColor, QString> skins[] = {
+      {skin, tr("Face")}, {scan_, tr("Scan")}, {over(skin, scan_), tr("Scan before the face")}};
+  double left = keySide;
+  for (const auto& [color, text] : skins) {
+    paintSwatch(painter, left, color, text);
+    left += 2 * swatch + fontMetrics().horizontalAdvance(text) + keyGap;
+  }
 }
 
 /// Where there is little room the swatch is narrow.

@@ -52,14 +52,14 @@ bool ColorScale::isNarrow() const {
 
 QString ColorScale::title() const {
   const bool withHead = view_->isWithHead();
-  if (isNarrow()) return withHead ? tr("Moved, with head") : tr("Moved, head still");
-  return withHead ? tr("Displacement, with head") : tr("Displacement, head still");
+  if (isNarrow()) return withHead ? tr("Moved, with head") : tr("Moved, without head");
+  return withHead ? tr("Displacement, with head") : tr("Displacement, without head");
 }
 
 /// The same for all texts, so that the bar stays.
 int ColorScale::titleWidth(bool narrow) const {
   const QFontMetrics metrics = fontMetrics();
-  const QString longest = narrow ? tr("Moved, with head") : tr("Displacement, with head");
+  const QString longest = narrow ? tr("Moved, without head") : tr("Displacement, without head");
   return std::max(metrics.horizontalAdvance(longest), metrics.horizontalAdvance(mostText(88.8)));
 }
 

@@ -205,6 +205,7 @@ void ViewArea::addOtherButtons() {
          "or scan to the nearest point. True length, or 2 to 10 times as long"));
   connect(arrows, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this, arrows] {
     for (DifferenceArrows* one : arrows_) one->setFactor(arrows->currentData().toDouble());
+    showDifference();  // which tells the factor
   });
   otherFrame_->addControl(arrows);
   otherFrame_->addGap();
@@ -250,13 +251,23 @@ void ViewArea::showCurves() {
   }
 }
 
+/// With what the arrows on that side mean: a picture of them says little without.
+QString ViewArea::summaryOf(Comparison::Side side) const {
+  const QString summary = comparison_->summary(side);
+  const double factor = arrows_.empty() ? 0.0 : arrows_.front()->factor();
+  const int colon = summary.indexOf(": ");
+  if (factor == 0.0 || colon < 0) return summary;
+  const QString lead = side == Comparison::Side::A ? tr("arrows to B \u00d7 %1") : tr("arrows to A \u00d7 %1");
+  return summary.left(colon) + ", " + lead.arg(factor) + summary.mid(colon);
+}
+
 void ViewArea::showDifference() {
   const bool compares = comparison_->kind() != Comparison::Kind::None;
   if (compares) faceFrame_->setTitle(tr("A: %1").arg(comparison_->nameOfA()));
   if (compares && otherFrame_) otherFrame_->setTitle(tr("B: %1").arg(comparison_->name()));
   const Comparison::Side sides[] = {Comparison::Side::A, Comparison::Side::B};
   for (size_t i = 0; i < summaries_.size(); ++i) {
-    summaries_[i]->setSummary(comparison_->summary(sides[i]));
+    summaries_[i]->setSummary(summaryOf(sides[i]));
     summaries_[i]->setVisible(compares);
   }
   const double longest = comparison_->corresponds() ? std::numeric_limits<double>::infinity() : longestArrow;
@@ -282,8 +293,8 @@ ExportDrawing ViewArea::faceDrawing(const ExportOptions& options) const {
   if (comparison_->kind() == Comparison::Kind::None)
     return viewDrawing({{face_}}, faceKey_, "Face, " + motionOf(*model_), {}, options);
   const std::string a = "A: " + comparison_->nameOfA().toStdString(), b = "B: " + comparison_->name().toStdString();
-  QString note = comparison_->summary(Comparison::Side::A);
-  if (!note.isEmpty() && !comparison_->corresponds()) note += "; " + comparison_->summary(Comparison::Side::B);
+  QString note = summaryOf(Comparison::Side::A);
+  if (!note.isEmpty() && !comparison_->corresponds()) note += "; " + summaryOf(Comparison::Side::B);
   ExportDrawing drawing = viewDrawing({{face_, a}, {other_, b}}, faceKey_, a + ", " + b, note.toStdString(), options);
   if (!comparison_->mesh()) drawing.description = "\nB:\n" + writeFaceState(comparison_->other()->state());
   return drawing;

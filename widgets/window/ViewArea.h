@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "Comparison.h"
 #include "ExportDrawing.h"
 #include "FaceView.h"
 
@@ -13,7 +14,6 @@ class QToolButton;
 
 namespace mien {
 
-class Comparison;
 class ComparisonSummary;
 class CurveOverlay;
 class CurveView;
@@ -63,6 +63,7 @@ class ViewArea : public QWidget {
   void followComparison();
   void holdMesh();
   void showCurves();
+  QString summaryOf(Comparison::Side side) const;
   void showDifference();
   void arrange();
   void keepFeet();
