@@ -253,11 +253,11 @@ class Painting {
   }
 
   void paintNostril(double side) {
-    glow({side * 6.6, 1.6}, 4.6, 2.4, QColor(70, 34, 28), 0.95);
-    glow({side * 6.4, 1.2}, 3.2, 1.5, QColor(40, 18, 16), 0.9);
-    softStroke(through({{side * 14.0, 9.4}, {side * 17.2, 5.4}, {side * 17.4, 1.4}, {side * 14.8, -1.6}}), shade,
+    glow({side * 6.6, -0.9}, 4.6, 2.4, QColor(70, 34, 28), 0.95);
+    glow({side * 6.4, -1.3}, 3.2, 1.5, QColor(40, 18, 16), 0.9);
+    softStroke(through({{side * 14.0, 7.4}, {side * 17.2, 3.4}, {side * 17.4, -0.8}, {side * 14.7, -3.8}}), shade,
                0.55, 3.0);
-    softStroke(through({{side * 18.5, -1.0}, {side * 24.0, -14.0}, {side * 29.5, -26.0}}), shade, 0.20, 5.0);
+    softStroke(through({{side * 18.5, -2.5}, {side * 24.0, -14.0}, {side * 29.5, -26.0}}), shade, 0.20, 5.0);
     softStroke(through({{side * 3.6, -13.0}, {side * 4.6, -18.0}, {side * 5.4, -22.5}}), light, 0.28, 2.6);
   }
 
