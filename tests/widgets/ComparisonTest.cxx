@@ -76,19 +76,6 @@ class Comparison : public StudioFixture {
 
 constexpr int nothing = 0, thisState = 1;
 
-TEST_F(Comparison, TheButtonsOfTheFaceComeBackAfterIt) {
-  window->resize(1280, 800);
-  settle();
-  auto* more = find<QToolButton>("faceViewHeaderMore");
-  ASSERT_FALSE(more->isVisible());
-  comparison()->compareScheme("four-curve");
-  settle();
-  QTest::qWait(200);
-  EXPECT_TRUE(more->isVisible()) << "its title takes their room";
-  comparison()->clear();
-  EXPECT_TRUE(waitUntil([&] { return !more->isVisible(); }));
-}
-
 /// A scan in metres, centimetres or inches compared as if it were in mm.
 TEST_F(Comparison, AMeshInAnotherUnitIsDoubted) {
   openMeshOfA();

@@ -232,6 +232,18 @@ TEST_F(ViewFit, TitlesAndNumbersAreWhole) {
   }
 }
 
+/// A long title takes their room, and a short one gives it back.
+TEST_F(ViewFit, ButtonsComeBackAfterAComparison) {
+  window->resize(1280, 800);
+  settle();
+  auto* more = find<QToolButton>("faceViewHeaderMore");
+  ASSERT_FALSE(more->isVisible());
+  compareScheme("four-curve");
+  ASSERT_TRUE(waitUntil([&] { return more->isVisible(); }));
+  find<mien::ViewArea>("viewArea")->comparison()->clear();
+  EXPECT_TRUE(waitUntil([&] { return !more->isVisible(); }));
+}
+
 /// What of a head lies opposite the face is as large as the face alone would be; its neck has no number and is grey.
 TEST_F(ViewFit, TheFaceOfAHeadIsLargeAndItsNeckIsNotCounted) {
   vtkNew<vtkPlaneSource> neck;

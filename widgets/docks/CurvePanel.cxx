@@ -22,6 +22,7 @@
 #include "FaceLayout.h"
 #include "FaceModel.h"
 #include "FramedButton.h"
+#include "OverflowRow.h"
 #include "ScanPanel.h"
 #include "SessionPart.h"
 #include "SignedBox.h"
@@ -197,7 +198,14 @@ QWidget* CurvePanel::placeRow() {
 }
 
 QWidget* CurvePanel::moveRow() {
-  return rowOf({{tr("Left"), dx_}, {tr("Up"), dy_}, {tr("Forward"), dz_}, {QString(), apply_}, {QString(), drag_}});
+  auto* row = new OverflowRow("curveMoves", this);
+  row->addLabelled(tr("Left"), dx_);
+  row->addLabelled(tr("Up"), dy_);
+  row->addLabelled(tr("Forward"), dz_);
+  row->addWidget(apply_);
+  row->addWidget(drag_, 1);  // the first that a narrow window has no room for
+  row->addStretch();
+  return row;
 }
 
 QWidget* CurvePanel::rowOf(const std::vector<std::pair<QString, QWidget*>>& controls) {
