@@ -20,6 +20,7 @@ namespace {
 
 constexpr double least = 6.0;         // mm between arrows
 constexpr double pixelsApart = 18.0;  // the same as it is seen, or else they are further apart
+constexpr double furthest = 1000.0;   // mm; a camera may stand anywhere, and a head has one arrow then
 constexpr double coarser = 1.5;       // each such distance, of the one before
 constexpr size_t most = 1500;
 
@@ -30,7 +31,7 @@ class Spread {
 
   bool take(const Eigen::Vector3d& point) {
     Cube middle;
-    for (int k = 0; k < 3; ++k) middle[k] = static_cast<int>(std::floor(point[k] / apart_));
+    for (int k = 0; k < 3; ++k) middle[k] = std::floor(point[k] / apart_);
     for (int neighbour = 0; neighbour < 27; ++neighbour) {
       const auto found = taken_.find(
           {middle[0] + neighbour % 3 - 1, middle[1] + neighbour / 3 % 3 - 1, middle[2] + neighbour / 9 - 1});
@@ -43,7 +44,7 @@ class Spread {
   }
 
  private:
-  using Cube = std::array<int, 3>;
+  using Cube = std::array<double, 3>;  // whole numbers; a scan may lie further away than an int counts
 
   double apart_;
   std::map<Cube, std::vector<Eigen::Vector3d>> taken_;
@@ -86,7 +87,8 @@ void DifferenceArrows::choose(double apart) {
   for (vtkIdType i = 0; vectors && i < surface_->GetNumberOfPoints(); ++i) {
     const Eigen::Vector3d point(surface_->GetPoint(i)), vector(vectors->GetTuple3(i));
     const double length = vector.norm();
-    if (!(length >= leastLength && length <= longest_) || !spread.take(point)) continue;
+    if (!(length >= leastLength && length <= longest_) || !point.allFinite()) continue;
+    if (!spread.take(point)) continue;
     const Eigen::Vector3d normal = normals ? Eigen::Vector3d(normals->GetTuple3(i)) : Eigen::Vector3d::Zero();
     arrows_.push_back({point, point + factor_ * vector, normal});
   }
@@ -100,7 +102,7 @@ void DifferenceArrows::prepare() {
   vtkCamera* lens = renderer_->GetActiveCamera();
   const double pixel = 2.0 * lens->GetDistance() * std::tan(lens->GetViewAngle() * M_PI / 360.0) / view_->height();
   double apart = least;
-  while (apart < pixelsApart * pixel) apart *= coarser;
+  while (apart < pixelsApart * pixel && apart < furthest) apart *= coarser;
   if (apart != apart_) choose(apart_ = apart);
   layer_.draw(arrows_, pixel, surface_);
   renderer_->ResetCameraClippingRange();
