@@ -83,6 +83,25 @@ TEST_F(SessionFilesTest, WhatIsGoneForATimeStaysInTheSession) {
   EXPECT_EQ(window->model().state().expressions.count("joy"), 1u);
 }
 
+/// A hand can write anything anywhere.
+TEST_F(SessionFilesTest, NamesInOddPlacesHarmNothing) {
+  saveAll();
+  nlohmann::json kept;
+  ASSERT_EQ(mien::SessionFile::read(session("old"), kept), QString());
+  for (const char* place : {"/window/geometry/file", "/window/splitters/viewSplitter/scan", "/file", "/folder/file",
+                            "/docks/file", "/docks/window/file", "/docks/window/faceMesh/file", "/docks/odd/0/1/file",
+                            "/docks/curvesDock/scanPanel/scan/file"}) {
+    nlohmann::json odd = kept.flatten();
+    const std::string above = std::string(place).substr(0, std::string(place).rfind('/'));
+    odd.erase(above);
+    odd[place] = "/gone.ply";
+    ASSERT_EQ(mien::SessionFile::write(odd.unflatten(), session("old")), QString()) << place;
+    window->document().open(session("old"));
+    settle();
+    EXPECT_TRUE(window->document().save(file("again.json"))) << place;
+  }
+}
+
 /// What the user chose instead is what the session holds.
 TEST_F(SessionFilesTest, WhatTakesThePlaceOfALostFileIsKept) {
   saveAll();

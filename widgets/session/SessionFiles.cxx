@@ -20,10 +20,16 @@ bool isPresent(const std::string& file) {
   return file == "-" || QFileInfo::exists(QString::fromStdString(file));
 }
 
-/// Tables that come with Mien have names that are no files.
+bool isWithin(const char* member, const Pointer& place) {
+  return place.to_string().rfind(member, 0) == 0;
+}
+
+/// Tables that come with Mien have names that are no files. Elsewhere, as in the window's places, there are none, and
+/// what a hand has written there has no room in a session of ours.
 bool namesFile(const Pointer& place, const json& value) {
   if (!value.is_string() || value == "" || std::find(members.begin(), members.end(), place.back()) == members.end())
     return false;
+  if (!isWithin("/face/", place) && !isWithin("/docks/", place)) return false;
   return place.back() != "table" || value.get<std::string>().find('/') != std::string::npos;
 }
 
@@ -46,10 +52,6 @@ Pointer ownerOf(Pointer place) {
   Pointer owner;
   for (const std::string& name : path) owner /= name;
   return owner;
-}
-
-bool isOfDock(const Pointer& owner) {
-  return owner.to_string().rfind("/docks/", 0) == 0;
 }
 
 json valueAt(const json& session, const Pointer& place) {
@@ -101,7 +103,7 @@ QStringList SessionFiles::names(const json& session, const std::vector<Absent>& 
 
 json SessionFiles::without(json session, const std::vector<Absent>& absent) {
   for (const Absent& one : absent)
-    if (isOfDock(one.owner)) session[one.owner] = json::object();
+    if (isWithin("/docks/", one.owner)) session[one.owner] = json::object();
   return session;
 }
 
