@@ -4,6 +4,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDrag>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMouseEvent>
@@ -12,10 +14,12 @@
 #include <QTimer>
 #include <QWheelEvent>
 #include <functional>
+#include <iostream>
 #include <random>
 
 #include "FaceModel.h"
 #include "History.h"
+#include "MessageBar.h"
 #include "StudioFixture.h"
 
 namespace {
@@ -40,6 +44,8 @@ class Monkey {
         popup->close();
       else if (QWidget* dialog = QApplication::activeModalWidget())
         dialog->close();
+      else
+        QDrag::cancel();  // of text: it waits for a button of the display to be let go, which nobody presses
     });
     watcher_.start(15);
   }
@@ -47,6 +53,7 @@ class Monkey {
   void act() {
     QWidget* target = below(10) < 7 ? input() : anywhere();
     if (!target) return;
+    tell(target);
     const QPoint at(below(std::max(1, target->width())), below(std::max(1, target->height())));
     switch (below(8)) {
       case 0:
@@ -65,6 +72,12 @@ class Monkey {
   }
 
  private:
+  /// Where a walk was that did not come to its end.
+  void tell(const QWidget* target) {
+    std::cout << ++acts_ << ' ' << target->metaObject()->className() << ' ' << qPrintable(target->objectName())
+              << std::endl;
+  }
+
   int below(int end) { return std::uniform_int_distribution<int>(0, end - 1)(random_); }
   Qt::MouseButton button() { return below(6) ? Qt::LeftButton : Qt::RightButton; }
   Qt::KeyboardModifiers modifiers() {
@@ -130,6 +143,7 @@ class Monkey {
   mien::StudioWindow& window_;
   std::mt19937 random_;
   QTimer watcher_;
+  int acts_ = 0;
 };
 
 class RandomInput : public StudioFixture {
@@ -168,6 +182,20 @@ TEST_F(RandomInput, TwoThousandClicksAndKeysLeaveAWindowThatWorks) {
   EXPECT_EQ(window->model().state(), mien::FaceState());
   EXPECT_EQ(largestDisplacement(), 0.0);
   EXPECT_GT(colorsIn("faceView"), 200);
+}
+
+/// It was seen once to wait for ever.
+TEST_F(RandomInput, SelectedTextThatIsDraggedDoesNotHoldTheWalk) {
+  find<mien::MessageBar>("messageBar")->showError("face.vtp: line 3: 'x' is not a number; write one", "");
+  settle();
+  auto* sentence = find<QLabel>("messageSentence");
+  const Monkey monkey(*window);
+  const QPoint word = sentence->contentsRect().topLeft() + QPoint(10, 8);
+  QTest::mouseDClick(sentence, Qt::LeftButton, Qt::NoModifier, word);
+  ASSERT_TRUE(sentence->hasSelectedText());
+  QTest::qWait(QApplication::doubleClickInterval() + 100);  // a third click would choose all of it
+  drag(sentence, word, {100, 0});
+  EXPECT_EQ(sentence->text().left(8), "face.vtp");
 }
 
 }  // namespace
