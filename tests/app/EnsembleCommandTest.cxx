@@ -104,8 +104,12 @@ TEST(EnsembleCommand, HasTheNumbersOfSweepContinuityAndSpectrumToTheBit) {
       }
     }
     for (Row mode : tableOf({"spectrum", "--scheme", scheme, "-a", a})) {
-      if (mode["mode"] == "1") EXPECT_EQ(rows[i].at("mode1_energy_share"), mode.at("energy_share"));
-      if (mode["mode"] == "6") EXPECT_EQ(rows[i].at("remainder_rms_mm"), mode.at("cumulative_rms_error_mm"));
+      if (mode["mode"] == "1") {
+        EXPECT_EQ(rows[i].at("mode1_energy_share"), mode.at("energy_share"));
+      }
+      if (mode["mode"] == "6") {
+        EXPECT_EQ(rows[i].at("remainder_rms_mm"), mode.at("cumulative_rms_error_mm"));
+      }
     }
   }
 }

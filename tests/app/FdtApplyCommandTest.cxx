@@ -162,8 +162,9 @@ TEST(FdtApplyCommand, PolygonsAndWhatElseTheFileSaysAreKept) {
     if (std::string(name) == "a.ply") {
       EXPECT_EQ(faces(result), faces(source)) << "quads are no triangles";
     }
-    if (std::string(name) == "b.obj")
+    if (std::string(name) == "b.obj") {
       EXPECT_EQ(result.substr(result.find("vt 0.25")), source.substr(source.find("vt 0.25")));
+    }
     EXPECT_NE(result, source);
   }
   const std::string off = folder.file("a.off");

@@ -12,9 +12,9 @@ TEST(FaceProfiles, CurvesNeverCrossAtAnyAzimuth) {
   for (double azimuth = -180.0; azimuth <= 180.0; azimuth += 0.5)
     for (int c = 0; c + 1 < FaceLayout::curveCount; ++c) {
       const double gap = profiles.height(c, azimuth * degree) - profiles.height(c + 1, azimuth * degree);
-      if (c == FaceLayout::upperLip)
+      if (c == FaceLayout::upperLip) {
         EXPECT_EQ(gap, 0.0);
-      else
+      } else
         EXPECT_GT(gap, 1.0) << FaceLayout::curveName(c) << " at " << azimuth;
     }
 }

@@ -88,7 +88,9 @@ TEST(FacialRegions, BeyondTheOutlinePointsFollowIt) {
       EXPECT_TRUE(regions.covers(centre + (1.0 - 1e-9) * (followed - centre)));
       EXPECT_GE(kept, before - 1e-9) << "never back";
       EXPECT_LE(kept - before, 0.01 + 1e-9) << "nowhere faster than the point";
-      if (regions.covers(centre + (point - centre) / 0.9)) EXPECT_EQ(followed, point);
+      if (regions.covers(centre + (point - centre) / 0.9)) {
+        EXPECT_EQ(followed, point);
+      }
       before = kept;
     }
   }

@@ -149,7 +149,9 @@ TEST(CaseMeasures, AreThoseOfTheirOwnClasses) {
   sweep.columns = 40;
   const SweepRecord record = smoothingSweep(moved, sweep)->front();
   for (const std::string& name : sweepMeasureNames())
-    if (name != "distance_rms_mm") EXPECT_EQ(value(name.c_str()), sweepValue(record, name)) << name;
+    if (name != "distance_rms_mm") {
+      EXPECT_EQ(value(name.c_str()), sweepValue(record, name)) << name;
+    }
   FaceSeams seams(one.state.surface, 40);
   seams.setCurves(moved.curves);
   SeamSummary all;

@@ -70,7 +70,9 @@ TEST(StudyText, RangesOfWholeNumbersAreWhole) {
                    (count > 1000 ? "" : ", \"fap\": {\"file\": \"x\", \"frames\": " + range + "}") + "}");
     ASSERT_EQ(study.harmonics.size(), static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) EXPECT_EQ(study.harmonics[i], i + 1);
-    if (count < 1000) EXPECT_EQ(study.poses.at(11).frame, 12.0);
+    if (count < 1000) {
+      EXPECT_EQ(study.poses.at(11).frame, 12.0);
+    }
   }
 }
 

@@ -149,7 +149,9 @@ TEST(TableDeformation, NoMeanTableFoldsTheFace) {
         least = std::min(least, along.x() * up.y() - along.y() * up.x());
       }
       EXPECT_GT(least, 0.03) << name << ", side " << side;
-      if (side == 0.0) EXPECT_LT(least, 0.99) << name << " does move";
+      if (side == 0.0) {
+        EXPECT_LT(least, 0.99) << name << " does move";
+      }
     }
   }
 }

@@ -71,7 +71,9 @@ TEST(FaceStudySource, GivesARowForEachCase) {
     EXPECT_EQ(table->GetValueByName(i, "case").ToInt(), i);
     EXPECT_TRUE(std::isnan(table->GetValueByName(i, "frame").ToDouble()));
     const bool isAtRest = table->GetValueByName(i, "expression").ToString() == "neutral";
-    if (!isAtRest) EXPECT_EQ(table->GetValueByName(i, "expression").ToString(), "joy:0.6,surprise:0.4");
+    if (!isAtRest) {
+      EXPECT_EQ(table->GetValueByName(i, "expression").ToString(), "joy:0.6,surprise:0.4");
+    }
     const double motion = table->GetValueByName(i, "motion_max_mm").ToDouble();
     if (table->GetValueByName(i, "reason").ToString().empty()) {
       EXPECT_GT(table->GetValueByName(i, "area_mm2").ToDouble(), 1e4);

@@ -115,8 +115,12 @@ TEST_F(CoefficientTable, RoundingIsNotMarked) {
     const QTableWidgetItem* cell = cells->item(i / 12, i % 12);
     rounding += std::abs(value) < 1e-6;
     marked += cell->font().bold();
-    if (std::abs(value) < 1e-6) EXPECT_EQ(cell->text().at(0), '0') << value;
-    if (std::abs(value - mean) < 0.004) EXPECT_FALSE(cell->font().bold()) << value << " beside " << mean;
+    if (std::abs(value) < 1e-6) {
+      EXPECT_EQ(cell->text().at(0), '0') << value;
+    }
+    if (std::abs(value - mean) < 0.004) {
+      EXPECT_FALSE(cell->font().bold()) << value << " beside " << mean;
+    }
   }
   EXPECT_GT(rounding, 10) << "else none is tried";
   EXPECT_GT(marked, 10);

@@ -116,6 +116,22 @@ TEST_F(ContinuityPanel, AClickedRowFliesToTheSeamAndShowsItsProfile) {
   EXPECT_GT(colorsIn("faceView"), 200);
 }
 
+TEST_F(ContinuityPanel, TheRowOfTheProfileIsMarkedAndAnotherClickFliesBackToIt) {
+  EXPECT_EQ(table->currentRow(), 0);
+  EXPECT_NE(figure->figure().panels[0].y.title.find("P0|P1"), std::string::npos);
+  const double wide = focus()[1];
+  clickRow(0);
+  land();
+  const double near = focus()[1];
+  EXPECT_GT(std::abs(near - wide), 10.0);
+  find<QToolButton>("lookReset")->click();
+  land();
+  EXPECT_NEAR(focus()[1], wide, 1.0);
+  clickRow(0);
+  land();
+  EXPECT_NEAR(focus()[1], near, 1e-6);
+}
+
 TEST_F(ContinuityPanel, APlaceInTheProfileIsFlownTo) {
   clickRow(4);
   QTest::mouseClick(figure, Qt::LeftButton, Qt::NoModifier, figure->pixelOf(0, 270.0, 0.0).toPoint());

@@ -148,7 +148,9 @@ TEST_F(RowScroll, NoGapStaysBelowTheFAPs) {
     const int lock = placeOf(find<QWidget>("fapMirror"), window.get()).top();
     if (seen < 3) continue;
     EXPECT_LT(lock - bottom, 30) << height << ": " << seen << " rows";
-    if (height == 800) EXPECT_EQ(seen, 5);
+    if (height == 800) {
+      EXPECT_EQ(seen, 5);
+    }
   }
 }
 

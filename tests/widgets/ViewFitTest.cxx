@@ -225,7 +225,9 @@ TEST_F(ViewFit, TitlesAndNumbersAreWhole) {
                        "^Point to point, by area of B: RMS [0-9.]+, 95 % \u2264 [0-9.]+, max [0-9.]+ mm$");
     EXPECT_EQ(find<QWidget>("compareSummaryA")->height(), find<QWidget>("compareSummaryB")->height());
     for (const auto* key : find<QWidget>("viewArea")->findChildren<mien::ColorKey*>()) {
-      if (key->isVisible()) EXPECT_EQ(key->shownTitle(), "Difference A\u2013B (mm)") << size.width();
+      if (key->isVisible()) {
+        EXPECT_EQ(key->shownTitle(), "Difference A\u2013B (mm)") << size.width();
+      }
     }
     find<mien::ViewArea>("viewArea")->comparison()->clear();
     settle();
@@ -306,7 +308,9 @@ TEST_F(ViewFit, CrownAndEarsOfAHeadAreWithinTheView) {
         EXPECT_EQ(distance("otherFaceView"), distance("faceView")) << what;
       }
       const double width = seen(a, surface())[2] * a->width();
-      if (size.width() == 1280) EXPECT_GE(width, 300.0) << what;
+      if (size.width() == 1280) {
+        EXPECT_GE(width, 300.0) << what;
+      }
       if (subject == std::string("03")) expectWholeSummary("compareSummaryA", "^A to B, [0-9]+ % of A: RMS .* mm$");
       comparison->clear();
     }

@@ -65,6 +65,16 @@ TEST_F(WidgetReach, EveryInputHasATooltipAndCanHaveTheFocus) {
   }
 }
 
+TEST_F(WidgetReach, ALabelTellsWhatItsInputTells) {
+  int count = 0;
+  for (const auto* label : window->findChildren<QLabel*>()) {
+    if (!label->buddy()) continue;
+    ++count;
+    EXPECT_EQ(label->toolTip(), label->buddy()->toolTip()) << label->text().toStdString();
+  }
+  EXPECT_GT(count, 15);
+}
+
 /// A number without a unit behind it says in its tooltip what it counts, or that it has none.
 TEST_F(WidgetReach, EveryNumberTellsItsUnit) {
   for (const auto* number : window->findChildren<QDoubleSpinBox*>()) {

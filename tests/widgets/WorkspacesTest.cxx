@@ -131,7 +131,9 @@ TEST_F(Workspaces, NoButtonStandsInARowOfItsOwn) {
         if (button == row->more()) continue;
         high = std::max(high, button->sizeHint().height());
         waiting += row->isInPanel(button);
-        if (button->isVisible()) EXPECT_TRUE(row->rect().contains(button->geometry())) << name;
+        if (button->isVisible()) {
+          EXPECT_TRUE(row->rect().contains(button->geometry())) << name;
+        }
       }
       EXPECT_LT(row->height(), 2 * high) << name << " at " << size.width();
       EXPECT_TRUE(!waiting || row->more()->isVisible()) << name << " at " << size.width();
@@ -208,12 +210,14 @@ TEST_F(Workspaces, NoRowOfAColumnIsCutThrough) {
       choose(i);
       settle();
       for (const auto* row : window->findChildren<mien::FAPRow*>()) {
-        if (!row->visibleRegion().isEmpty())
+        if (!row->visibleRegion().isEmpty()) {
           EXPECT_EQ(row->visibleRegion().boundingRect().height(), row->height()) << i << " " << size.height();
+        }
       }
       for (const auto* row : window->findChildren<mien::ExpressionRow*>())
-        if (!row->visibleRegion().isEmpty())
+        if (!row->visibleRegion().isEmpty()) {
           EXPECT_EQ(row->visibleRegion().boundingRect().height(), row->height()) << i << " " << size.height();
+        }
     }
   }
 }
@@ -294,9 +298,10 @@ TEST_F(Workspaces, DocksOfAFixedHeightLeaveNoHoles) {
         if (dock(name)->isVisible()) bottom = std::max(bottom, dock(name)->geometry().bottom());
       for (const char* name : {"surfaceDock", "expressionDock"}) {
         const bool takesTheRest = dock(name)->geometry().bottom() == bottom && !dock("fapDock")->isVisible();
-        if (dock(name)->isVisible() && !takesTheRest)
+        if (dock(name)->isVisible() && !takesTheRest) {
           EXPECT_LE(dock(name)->height(), dock(name)->sizeHint().height() + 2)
               << name << " in " << i << " at " << size.width() << " x " << size.height();
+        }
       }
     }
   }

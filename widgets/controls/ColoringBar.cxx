@@ -72,6 +72,7 @@ void ColoringBar::fillRow() {
   setSpacing(3);
   auto* label = new QLabel(tr("Co&lour by"), this);
   label->setBuddy(choice_);
+  label->setToolTip(choice_->toolTip());
   QToolButton* curves = toggle("faceCurves", tr("Curves"), tr("The 29 boundary curves as lines on the face"));
   QToolButton* names =
       toggle("faceCurveNames", tr("Names"),

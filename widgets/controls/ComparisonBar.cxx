@@ -32,6 +32,7 @@ ComparisonBar::ComparisonBar(Comparison* comparison, QWidget* parent)
   list();
   auto* label = new QLabel(tr("Compare &with"), this);
   label->setBuddy(choice_);
+  label->setToolTip(choice_->toolTip());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);

@@ -74,7 +74,10 @@ void OverflowRow::addLabelled(const QString& label, QWidget* widget, int rank) {
   auto* row = new QHBoxLayout(both);
   row->setContentsMargins(0, 0, 0, 0);
   both->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  row->addWidget(new QLabel(label, both));
+  auto* name = new QLabel(label, both);
+  name->setBuddy(widget);
+  name->setToolTip(widget->toolTip());
+  row->addWidget(name);
   row->addWidget(widget);
   addWidget(both, rank);
 }

@@ -110,6 +110,7 @@ QCheckBox* VectorControls::check(const char* name, const QString& text, const QS
 void VectorControls::add(const QString& name, QWidget* first, QWidget* second) {
   auto* label = new QLabel(name, this);
   label->setBuddy(first);
+  label->setToolTip(first->toolTip());
   first->setAccessibleName(name);
   if (second) second->setAccessibleName(tr("%1, value").arg(name));
   grid_->addWidget(label, count_, 0);

@@ -137,6 +137,7 @@ void ContinuityPanel::connectControls() {
   });
   connect(onFace_, chosen, this, [this] { paintFace(); });
   connect(table_, &QTableWidget::itemSelectionChanged, this, &ContinuityPanel::chooseRow);
+  connect(table_, &QTableWidget::cellClicked, this, &ContinuityPanel::chooseRow);  // back to the row chosen before
   connect(table_, &QTableWidget::cellActivated, this, &ContinuityPanel::useScheme);
   connect(figure_, &FigureView::picked, this, &ContinuityPanel::flyTo);
   connect(figure_, &FigureView::stepped, this, [this](int steps) { flyTo(figure_->marked().value_or(180.0) + steps); });
@@ -188,6 +189,13 @@ void ContinuityPanel::fillTable() {
   for (int row = 0; row < names.size(); ++row)
     shown().isValid() ? table_->setSummary(row, shown().summary(), row, frontal)
                       : table_->setFault(row, faults_[shown_]);
+  if (table_->currentRow() < 0) markSeam();
+}
+
+/// The row of the profile, without a flight to it.
+void ContinuityPanel::markSeam() {
+  const QSignalBlocker quiet(table_);
+  table_->selectRow(seam_);
 }
 
 Figure ContinuityPanel::profileFigure() const {

@@ -38,6 +38,7 @@ class ContinuityPanel : public QWidget {
   void refresh();
   void measure();
   void fillTable();
+  void markSeam();
   void showProfile();
   void chooseRow();
   void useScheme(int row);

@@ -20,6 +20,15 @@ namespace {
 constexpr double leastSmoothing = 0.001;
 constexpr int mostRows = 2000, mostColumns = 2000;  // what a picture can use; the state allows more
 
+/// Each says what the first control of its row does.
+void explainLabels(const QFormLayout& form) {
+  for (int row = 0; row < form.rowCount(); ++row) {
+    QLayoutItem* field = form.itemAt(row, QFormLayout::FieldRole);
+    const QWidget* first = field->layout() ? field->layout()->itemAt(0)->widget() : field->widget();
+    form.itemAt(row, QFormLayout::LabelRole)->widget()->setToolTip(first->toolTip());
+  }
+}
+
 }  // namespace
 
 SurfacePanel::SurfacePanel(FaceModel* model, QWidget* parent)
@@ -39,6 +48,7 @@ SurfacePanel::SurfacePanel(FaceModel* model, QWidget* parent)
   addSmoothing(form);
   addModes(form);
   addResolution(form);
+  explainLabels(*form);
   connect(model_, &FaceModel::stateChanged, this, &SurfacePanel::follow);
   follow();
 }

@@ -26,7 +26,7 @@ class ColorLegend {
     Colors colors = Colors::Sequential;
     void mark(const double range[2]);         ///< tells whether values of that range lie outside
     bool undercut = false, exceeded = false;  ///< whether values lie before its begin, beyond its end
-    QString unknown;                          ///< in words, what has no number and is grey; empty: there is none
+    QString unknown = {};                     ///< in words, what has no number and is grey; empty: there is none
   };
 
   ColorLegend();

@@ -33,7 +33,8 @@ QPlainTextEdit* readOnly(const QString& name, const std::string& text, QWidget* 
 
 }  // namespace
 
-AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent), pages_(new QTabWidget(this)) {
+AboutDialog::AboutDialog(QWidget* parent)
+    : QDialog(parent), pages_(new QTabWidget(this)), buttons_(new QDialogButtonBox(QDialogButtonBox::Close, this)) {
   setObjectName("aboutDialog");
   setWindowTitle(tr("About Mien Studio"));
   resize(aboutWidth, aboutHeight);
@@ -44,12 +45,11 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent), pages_(new QTabWidg
                               "and deformed by facial deformation tables.</p>"),
                            this);
   title->setWordWrap(true);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);
   column->addWidget(title);
   column->addWidget(pages_, 1);
-  column->addWidget(buttons);
+  column->addWidget(buttons_);
   addVersions();
   addCitation();
   addLicence();
@@ -81,19 +81,18 @@ void AboutDialog::addLicence() {
           QString::fromStdString(LicenceText()));
 }
 
+/// Its button stands in the dialog's row while the page is seen.
 void AboutDialog::addPage(QWidget* content, const QString& title, const QString& copyName, const QString& copyText,
                           const QString& copied) {
-  auto* page = new QWidget(pages_);
-  auto* copy = new QPushButton(copyText, page);
+  auto* copy = buttons_->addButton(copyText, QDialogButtonBox::ActionRole);
   copy->setObjectName(copyName);
   copy->setToolTip(tr("Takes this page's text to the clipboard"));
   copy->setAutoDefault(false);
   connect(copy, &QPushButton::clicked, this, [copied] { QGuiApplication::clipboard()->setText(copied); });
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 8, 0, 0);
-  column->addWidget(content, 1);
-  column->addWidget(copy, 0, Qt::AlignLeft);
-  pages_->addTab(page, title);
+  connect(pages_, &QTabWidget::currentChanged, copy,
+          [this, content, copy] { copy->setVisible(pages_->currentWidget() == content); });
+  copy->hide();
+  pages_->addTab(content, title);  // shows the button of the first
 }
 
 }  // namespace mien

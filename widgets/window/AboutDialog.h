@@ -2,6 +2,7 @@
 
 #include <QDialog>
 
+class QDialogButtonBox;
 class QTabWidget;
 
 namespace mien {
@@ -20,6 +21,7 @@ class AboutDialog : public QDialog {
                const QString& copied);
 
   QTabWidget* pages_;
+  QDialogButtonBox* buttons_;
 };
 
 }  // namespace mien

@@ -11,12 +11,12 @@ namespace mien {
 
 /// When the rows of a table were recorded.
 struct FrameTimes {
-  std::vector<double> seconds;  ///< one per frame, any start
-  std::vector<int> lines;       ///< where they stand in the file
-  std::vector<int> lostBefore;  ///< rows without a face directly before each, told elsewhere; empty for none
-  double clockError = 1.1e-3;   ///< s that a time may be off; many are rounded to milliseconds
-  double clockRate = 0.0;       ///< frames per second that a time code counts; 0 for times in s
-  bool hasNumbers = false;      ///< the frames carry numbers of the file, which stay; else they are counted from 0
+  std::vector<double> seconds;       ///< one per frame, any start
+  std::vector<int> lines;            ///< where they stand in the file
+  std::vector<int> lostBefore = {};  ///< rows without a face directly before each, told elsewhere; empty for none
+  double clockError = 1.1e-3;        ///< s that a time may be off; many are rounded to milliseconds
+  double clockRate = 0.0;            ///< frames per second that a time code counts; 0 for times in s
+  bool hasNumbers = false;           ///< the frames carry numbers of the file, which stay; else they are counted from 0
 
   /// Gives a sequence of as many frames its rate, and even steps. The rate is the mean over all frames, present and
   /// missing (FrameNumbers.h); where the times leave room for it a whole one, 1000/1001 of one, or the nearest usual
