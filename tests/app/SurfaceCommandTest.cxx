@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -10,6 +11,7 @@
 #include "FacePipeline.h"
 #include "FaceState.h"
 #include "Program.h"
+#include "SmallDisk.h"
 #include "vtkCellData.h"
 #include "vtkOBJReader.h"
 #include "vtkPDEFaceFilter.h"
@@ -196,6 +198,21 @@ TEST(SurfaceCommand, AFailureLeavesTheOldFile) {
   writeTextFile(file, "precious");
   EXPECT_EQ(runMien({"surface", "-N", "99", "-o", file}).exitCode, 2);
   EXPECT_EQ(readTextFile(file), "precious");
+}
+
+TEST(SurfaceCommand, AFullDiskLeavesTheOldFileInEveryFormat) {
+  const TemporaryFolder folder;
+  for (const std::string ending : {"vts", "vtp", "ply", "obj", "stl", "off", "csv"}) {
+    const std::string file = folder.file("face." + ending);
+    writeTextFile(file, "precious");
+    const SmallDisk disk(16384);
+    const Outcome full = runMien({"surface", "-o", file});
+    EXPECT_EQ(full.exitCode, 1) << ending;
+    EXPECT_EQ(full.errors.find("mien: " + file + ": "), 0u) << full.errors;
+    EXPECT_EQ(std::count(full.errors.begin(), full.errors.end(), '\n'), 1) << full.errors;
+    EXPECT_EQ(readTextFile(file), "precious") << ending;
+  }
+  EXPECT_EQ(entriesIn(folder.file("")), 7) << "a temporary file is left";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "FigureApplication.h"
 #include "FigureText.h"
 #include "SampleFigure.h"
+#include "SmallDisk.h"
 
 namespace {
 
@@ -79,6 +80,20 @@ TEST_F(FigureFile, AFigureThatCannotBeWrittenLeavesNothing) {
   large.setDotsPerInch(2400.0);
   EXPECT_NE(large.write({1e6, 1e6}, [](QPainter&) {}).find("too many pixels"), std::string::npos);
   EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(FigureFile, AFullDiskLeavesTheOldFigure) {
+  for (const char* const file : {"g.svg", "g.pdf", "g.png"}) {
+    mien::FigureFile figure(name(file));
+    ASSERT_EQ(figure.write({1000.0, 1000.0}, [](QPainter&) {}), "");
+    const auto before = fs::file_size(name(file));
+    const SmallDisk disk(before);
+    const std::string fault = figure.write({1e4, 1e4}, [](QPainter& painter) {
+      for (int i = 0; i < 2000; ++i) painter.drawLine(7 * i % 9973, 13 * i % 9967, 17 * i % 9949, 19 * i % 9941);
+    });
+    EXPECT_NE(fault.find("space left"), std::string::npos) << fault;
+    EXPECT_EQ(fs::file_size(name(file)), before);
+  }
 }
 
 }  // namespace

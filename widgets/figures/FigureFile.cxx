@@ -1,10 +1,7 @@
 #include "FigureFile.h"
 
-#include <unistd.h>
-
 #include <QBuffer>
 #include <QDateTime>
-#include <QFile>
 #include <QFileInfo>
 #include <QHash>
 #include <QImage>
@@ -14,33 +11,19 @@
 #include <QSvgGenerator>
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 
 #include "FigureMetadata.h"
 #include "FigureTheme.h"
+#include "WholeFile.h"
 
 namespace mien {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr double unitsPerInch = 25.4 * figureUnitsPerMillimetre;
 
 std::string endingOf(const std::string& name) {
   return QFileInfo(QString::fromStdString(name)).suffix().toLower().toStdString();
-}
-
-std::string temporaryName(const std::string& name) {
-  const fs::path path(name);
-  const std::string hidden =
-      "." + path.stem().string() + ".mien-" + std::to_string(getpid()) + path.extension().string();
-  return (path.parent_path() / hidden).string();
-}
-
-bool writeBytes(const std::string& name, const QByteArray& bytes) {
-  QFile file(QString::fromStdString(name));
-  return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.flush();
 }
 
 /// Viewers without the font take one whose letters are as wide, or at least one of the same kind.
@@ -135,18 +118,16 @@ std::string FigureFile::describeFault(const QSizeF& size) const {
 std::string FigureFile::write(const QSizeF& size, const Draw& draw) const {
   const std::string fault = describeFault(size);
   if (!fault.empty()) return fault;
-  const std::string ending = endingOf(name_), temporary = temporaryName(name_);
-  const bool written = ending == "svg"   ? writeSVG(temporary, size, draw)
-                       : ending == "pdf" ? writePDF(temporary, size, draw)
-                                         : writePNG(temporary, size, draw);
-  std::error_code error;
-  if (written) fs::rename(temporary, name_, error);
-  if (written && !error) return {};
-  fs::remove(temporary, error);
-  return name_ + ": cannot be written; check that its folder exists, is writable and has space";
+  const std::string ending = endingOf(name_);
+  const QByteArray bytes = ending == "svg"   ? drawnSVG(size, draw)
+                           : ending == "pdf" ? drawnPDF(size, draw)
+                                             : drawnPNG(size, draw);
+  if (bytes.isEmpty()) return name_ + ": there is no memory for the figure; choose fewer dots per inch";
+  const std::string unwritten = WholeFile::write(name_, bytes.toStdString());
+  return unwritten.empty() ? unwritten : name_ + ": " + unwritten;
 }
 
-bool FigureFile::writeSVG(const std::string& name, const QSizeF& size, const Draw& content) const {
+QByteArray FigureFile::drawnSVG(const QSizeF& size, const Draw& content) const {
   QBuffer buffer;
   QSvgGenerator svg;
   svg.setOutputDevice(&buffer);
@@ -158,10 +139,10 @@ bool FigureFile::writeSVG(const std::string& name, const QSizeF& size, const Dra
   draw(svg, 1.0, content);
   QByteArray bytes = buffer.data();
   nameOtherFonts(bytes);
-  return writeBytes(name, bytes);
+  return bytes;
 }
 
-bool FigureFile::writePDF(const std::string& name, const QSizeF& size, const Draw& content) const {
+QByteArray FigureFile::drawnPDF(const QSizeF& size, const Draw& content) const {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   const FixedHashSeed seed;
@@ -178,20 +159,20 @@ bool FigureFile::writePDF(const std::string& name, const QSizeF& size, const Dra
   }
   QByteArray bytes = buffer.data();
   setDateFromEnvironment(bytes);
-  return writeBytes(name, bytes);
+  return bytes;
 }
 
-bool FigureFile::writePNG(const std::string& name, const QSizeF& size, const Draw& content) const {
+QByteArray FigureFile::drawnPNG(const QSizeF& size, const Draw& content) const {
   const QSize pixels = (size * (dotsPerInch_ / unitsPerInch)).toSize();
   QImage image = drawnImage(pixels, size, content);
-  if (image.isNull()) return false;
+  if (image.isNull()) return {};
   image.setDotsPerMeterX(qRound(dotsPerInch_ / 0.0254));
   image.setDotsPerMeterY(qRound(dotsPerInch_ / 0.0254));
   image.setText("Title", FigureMetadata::oneLine(title_));
   image.setText("Description", FigureMetadata::oneLine(description_));
   image.setText("Software", "Mien");
   QBuffer buffer;
-  return image.save(&buffer, "PNG") && writeBytes(name, buffer.data());
+  return image.save(&buffer, "PNG") ? buffer.data() : QByteArray();
 }
 
 }  // namespace mien

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QByteArray>
 #include <QSizeF>
 #include <functional>
 #include <string>
@@ -37,9 +38,9 @@ class FigureFile {
  private:
   using Draw = std::function<void(QPainter&)>;
   std::string describeFault(const QSizeF& size) const;
-  bool writeSVG(const std::string& name, const QSizeF& size, const Draw& draw) const;
-  bool writePDF(const std::string& name, const QSizeF& size, const Draw& draw) const;
-  bool writePNG(const std::string& name, const QSizeF& size, const Draw& draw) const;
+  QByteArray drawnSVG(const QSizeF& size, const Draw& draw) const;
+  QByteArray drawnPDF(const QSizeF& size, const Draw& draw) const;
+  QByteArray drawnPNG(const QSizeF& size, const Draw& draw) const;
 
   std::string name_, title_, description_;
   double dotsPerInch_ = 300.0;

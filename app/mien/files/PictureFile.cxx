@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
+#include "WholeFile.h"
 #include "vtkImageData.h"
 #include "vtkImageWriter.h"
 #include "vtkJPEGWriter.h"
@@ -42,7 +43,7 @@ void writePicture(vtkImageData* image, const OutputFile& file) {
   writer->SetFileName(file.temporaryName().c_str());
   writer->SetInputData(image);
   writer->Write();
-  if (!errors.first().empty()) throw FileFailure(name + ": cannot be written (" + errors.first() + ")");
+  if (!errors.first().empty()) throw FileFailure(name + ": " + WholeFile::unwritable);
 }
 
 void writePicture(vtkImageData* image, const std::string& name) {

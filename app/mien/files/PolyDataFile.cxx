@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
+#include "WholeFile.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -17,7 +18,7 @@ void writePolyData(vtkPolyData* data, const std::string& name) {
   writer->SetFileName(file.temporaryName().c_str());
   writer->SetDataModeToBinary();
   writer->SetInputDataObject(data);
-  if (!writer->Write() || !errors.first().empty()) throw FileFailure(name + ": cannot be written");
+  if (!writer->Write() || !errors.first().empty()) throw FileFailure(name + ": " + WholeFile::unwritable);
   file.commit();
 }
 

@@ -4,6 +4,7 @@
 #include "NumberText.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
+#include "WholeFile.h"
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -42,8 +43,7 @@ void write(Writer* writer, vtkDataObject* data, const std::string& name) {
   errors.observe(writer);
   writer->SetFileName(file.temporaryName().c_str());
   writer->SetInputDataObject(data);
-  if (!writer->Write() || !errors.first().empty())
-    throw FileFailure(name + ": cannot be written" + (errors.first().empty() ? "" : " (" + errors.first() + ")"));
+  if (!writer->Write() || !errors.first().empty()) throw FileFailure(name + ": " + WholeFile::unwritable);
   file.commit();
 }
 

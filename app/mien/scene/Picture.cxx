@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "OutputFile.h"
 #include "PipelineErrors.h"
+#include "WholeFile.h"
 #include "vtkImageData.h"
 #include "vtkImageExtractComponents.h"
 #include "vtkNew.h"
@@ -69,7 +70,7 @@ void writePNG(vtkImageData* image, const std::string& name, const std::map<std::
   writer->SetFileName(file.temporaryName().c_str());
   writer->SetInputData(image);
   writer->Write();
-  if (!errors.first().empty()) throw FileFailure(name + ": cannot be written (" + errors.first() + ")");
+  if (!errors.first().empty()) throw FileFailure(name + ": " + WholeFile::unwritable);
   file.commit();
 }
 

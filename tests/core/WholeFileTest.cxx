@@ -1,11 +1,10 @@
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
+#include "SmallDisk.h"
 #include "TemporaryFolder.h"
 #include "WholeFile.h"
 
@@ -19,26 +18,6 @@ std::string textOf(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// As on a disk without space: the first bytes are written, the others are not.
-class SmallDisk {
- public:
-  explicit SmallDisk(rlim_t bytes) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limit = before_;
-    limit.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &limit);
-    signal_ = std::signal(SIGXFSZ, SIG_IGN);
-  }
-  ~SmallDisk() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, signal_);
-  }
-
- private:
-  rlimit before_;
-  void (*signal_)(int);
-};
-
 }  // namespace
 
 TEST(WholeFile, WhatWasThereStaysWhereTheDiskIsFull) {
@@ -51,6 +30,29 @@ TEST(WholeFile, WhatWasThereStaysWhereTheDiskIsFull) {
   }
   EXPECT_EQ(textOf(name), "good");
   EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(name).parent_path()), {}), 1) << "a temporary file is left";
+}
+
+/// As VTK's of .ply and .obj.
+TEST(WholeFile, AWriterThatDoesNotAskIsFoundOutWhereTheDiskIsFull) {
+  const TemporaryFolder folder;
+  const std::string name = folder.file("face.ply");
+  ASSERT_EQ(WholeFile::write(name, "good"), "");
+  for (const size_t size : {4096, 4097, 20000, 200000}) {
+    const SmallDisk disk(4096);
+    WholeFile file(name);
+    std::ofstream(file.temporaryName()) << std::string(size, 'x');
+    EXPECT_FALSE(file.commit()) << size;
+  }
+  EXPECT_EQ(textOf(name), "good");
+}
+
+TEST(WholeFile, NothingIsAddedToWhatIsWhole) {
+  const TemporaryFolder folder;
+  const std::string name = folder.file("face.ply");
+  for (const size_t size : {0, 1, 4095, 4096, 200000}) {
+    ASSERT_EQ(WholeFile::write(name, std::string(size, 'x')), "");
+    EXPECT_EQ(textOf(name), std::string(size, 'x'));
+  }
 }
 
 TEST(WholeFile, ASymbolicLinkStaysAndItsFileIsReplaced) {
