@@ -121,10 +121,10 @@ TEST_F(PlatePainter, AxesSpanTheirRangeWithNumbersInsideThePanel) {
   const mien::PlaneDrawingPainter painter(drawing, QRectF(0, 0, 6000, 6000), shown);
   for (const PlaneDrawing::Label& label : drawing.labels) {
     const double value = label.text.toDouble();
-    if (label.alignment == Qt::Alignment(Qt::AlignHCenter | Qt::AlignTop)) {
+    if (label.alignment == int(Qt::AlignHCenter | Qt::AlignTop)) {
       EXPECT_NEAR(value, label.at.x(), 1e-9);
       ++numbers;
-    } else if (label.alignment == Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter)) {
+    } else if (label.alignment == int(Qt::AlignRight | Qt::AlignVCenter)) {
       EXPECT_NEAR(value, label.at.y(), 1e-9);
       EXPECT_GT(painter.position(label.at).x(), mien::textWidth(mien::figureFont(label.size), label.text));
       ++numbers;
