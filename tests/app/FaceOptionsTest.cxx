@@ -103,6 +103,40 @@ TEST(FaceOptions, WrongFilesEndWithOneAndAreNamed) {
   expectRefused({"--fat", folder.file("no.json"), "--set", "53=1"}, 1, "no.json");
 }
 
+TEST(FaceOptions, AFigureOrPictureGivesTheFaceThatItShows) {
+  const TemporaryFolder folder;
+  const auto run = [](const std::vector<std::string>& words) {
+    const Outcome outcome = runMien(words);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.errors;
+  };
+  const std::string table = folder.file("table.csv"), other = folder.file("other.csv"),
+                    again = folder.file("again.csv");
+  const std::vector<std::string> face = {"spectrum", "-a", "2", "-N", "7", "--expression", "joy", "-o"};
+  for (const std::string& output : {table, folder.file("f.svg"), folder.file("f.pdf"), folder.file("f.png")}) {
+    std::vector<std::string> words = face;
+    words.push_back(output);
+    run(words);
+  }
+  run({"spectrum", "-o", other});
+  EXPECT_NE(readTextFile(table), readTextFile(other));
+  run({"render", "-a", "2", "-N", "7", "--expression", "joy", "--size", "100x100", "-o", folder.file("r.png")});
+  for (const std::string figure : {"f.svg", "f.pdf", "f.png", "r.png"}) {
+    run({"spectrum", "--state", folder.file(figure), "--resolution", "56x40", "-o", again});
+    EXPECT_EQ(readTextFile(table), readTextFile(again)) << figure;
+  }
+}
+
+TEST(FaceOptions, FiguresWithoutAStateAreRefused) {
+  const TemporaryFolder folder;
+  const std::string figure = folder.file("f.svg");
+  expectRefused({"--state", figure}, 1, "f.svg: cannot be read");
+  writeTextFile(figure, "<svg><desc>mien figure --list</desc></svg>");
+  expectRefused({"--state", figure}, 1, "f.svg: the figure carries no state of a face");
+  writeTextFile(figure, "<svg><desc>mien figure\n{\"mien_face_state\": 2,</desc></svg>");
+  expectRefused({"--state", figure}, 1, "f.svg: ");
+  expectRefused({"--state", MIEN_DATA_DIR "/textures/painted.png"}, 1, "painted.png: ");
+}
+
 TEST(FaceOptions, FramesThatAreNotThereAreRefused) {
   const TemporaryFolder folder;
   const std::string demo = std::string(MIEN_DATA_DIR) + "/animation/demo.fap";

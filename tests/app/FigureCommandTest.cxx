@@ -286,6 +286,12 @@ TEST(FigureCommand, WrongRequestsAreRefused) {
   expect({"pde-9", "-o", file, "--frames", "99999"}, 2, "their numbers run from 0 to 300");
   expect({"pde-9", "-o", file, "--frames", "1,2,3,4,5,6,7,8,9"}, 2, "at most");
   expect({"--from", MIEN_DATA_DIR "/textures/painted.png", "-o", file}, 1, "painted.png");
+  const std::string shown = folder.file("shown.svg");
+  writeTextFile(shown, "<svg><desc>{\n  \"mien_face_state\": 2\n}</desc></svg>");
+  expect({"--from", shown, "-o", file}, 1, "shown.svg: carries no command of mien figure, but its face");
+  writeTextFile(shown, "<svg><desc>mien spectrum -a 2\n{}</desc></svg>");
+  expect({"--from", shown, "-o", file}, 1, "run its own command again: mien spectrum -a 2\n");
+  std::filesystem::remove(shown);
   expect({"--all"}, 2, "folder");
   expect({"--all", "--frames", "99999", "-o", folder.file("")}, 2, "their numbers run from 0 to 300");
   EXPECT_EQ(entriesIn(folder.file("")), 0) << "nothing is left behind";

@@ -213,4 +213,22 @@ TEST(InfoCommand, EveryMalformedScanIsRefusedByEveryCommandThatReadsIt) {
   EXPECT_EQ(entriesIn(folder.file("")), 0);
 }
 
+TEST(InfoCommand, AFigureTellsItsTitleAndCommand) {
+  const TemporaryFolder folder;
+  for (const std::string ending : {"svg", "pdf", "png"}) {
+    const std::string figure = folder.file("f." + ending);
+    ASSERT_EQ(runMien({"spectrum", "-a", "2", "-o", figure}).exitCode, 0);
+    const Outcome told = runMien({"info", figure, "--json"});
+    ASSERT_EQ(told.exitCode, 0) << told.errors;
+    const auto about = nlohmann::json::parse(told.output)["figure"];
+    EXPECT_EQ(about["command"], "mien spectrum --smoothing 2");
+    EXPECT_EQ(about["state"]["surface"]["a"][0], 2.0);
+    EXPECT_NE(runMien({"info", figure}).output.find("mien spectrum --smoothing 2"), std::string::npos);
+  }
+  writeTextFile(folder.file("g.svg"), "<svg/>");
+  const Outcome other = runMien({"info", folder.file("g.svg")});
+  EXPECT_EQ(other.exitCode, 1);
+  EXPECT_NE(other.errors.find("g.svg: holds no description"), std::string::npos) << other.errors;
+}
+
 }  // namespace

@@ -36,9 +36,13 @@ FigureMetadata fromPDF(const QByteArray& bytes) {
   return begin < 0 || end < 0 ? FigureMetadata() : fromXML(bytes.mid(begin, end - begin + 12));
 }
 
+/// A picture of mien render carries the state alone.
 FigureMetadata fromPNG(const QString& name) {
   const QImageReader reader(name, "png");
-  return {FigureMetadata::fromOneLine(reader.text("Title")), FigureMetadata::fromOneLine(reader.text("Description"))};
+  FigureMetadata found = {FigureMetadata::fromOneLine(reader.text("Title")),
+                          FigureMetadata::fromOneLine(reader.text("Description"))};
+  if (found.description.empty()) found.description = reader.text("MienFaceState").toStdString();
+  return found;
 }
 
 /// Alternatives of languages hold one text here, for all of them.
@@ -52,6 +56,18 @@ void writeAlternative(QXmlStreamWriter& writer, const QString& element, const st
 }
 
 }  // namespace
+
+std::string FigureMetadata::command() const {
+  const std::string first = description.substr(0, description.find('\n'));
+  return first.rfind("mien ", 0) == 0 ? first : std::string();
+}
+
+std::string FigureMetadata::state() const {
+  const size_t begin = description.rfind('{', 0) == 0 ? 0 : description.find("\n{");
+  if (begin == std::string::npos) return {};
+  const size_t end = description.find("\n}", begin);  // behind it a comparison carries another
+  return description.substr(begin, end == std::string::npos ? end : end + 2 - begin);
+}
 
 QByteArray FigureMetadata::xmp() const {
   QByteArray text;

@@ -130,7 +130,7 @@ void run(const CompareCommandOptions& options) {
   if (!errors.first().empty()) throw FileFailure(options.surface + ", " + options.reference + ": " + errors.first());
   for (const std::string& name : options.report.outputs("vtp"))
     writePolyData(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0)), name);
-  options.report.deliver(reportOf(options, filter), "mien compare " + options.surface + " " + options.reference);
+  options.report.deliver(reportOf(options, filter));
 }
 
 }  // namespace

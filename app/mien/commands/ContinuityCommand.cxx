@@ -4,6 +4,7 @@
 
 #include "Command.h"
 #include "ContinuityFigure.h"
+#include "FaceStateText.h"
 #include "Failure.h"
 #include "MeasureReports.h"
 #include "PipelineErrors.h"
@@ -133,7 +134,8 @@ void run(ContinuityCommandOptions& options) {
   options.face.update();
   if (options.face.schemes().size() > 1 && !options.report.outputs("vtp").empty())
     throw ValueFailure("a .vtp file holds the seams of one scheme; choose one with --scheme");
-  options.report.deliver(continuityReport(options.face, options.choice, options.report), "mien continuity");
+  options.report.deliver(continuityReport(options.face, options.choice, options.report),
+                         writeFaceState(options.face.state()));
 }
 
 }  // namespace

@@ -243,14 +243,21 @@ std::vector<std::string> withNewOptions(const std::vector<std::string>& words, c
   return kept;
 }
 
+/// How to draw a figure again that is not one of this command.
+std::string otherOrigin(const FigureMetadata& metadata) {
+  if (!metadata.command().empty())
+    return "was not drawn by mien figure; run its own command again: " + metadata.command();
+  return "carries no command of mien figure, but its face: mien COMMAND --state FIGURE takes it, as in mien spectrum "
+         "--state FIGURE";
+}
+
 /// Runs the command that a figure carries, with another output and the options that were given beside --from.
 void drawAgain(const FigureCommandOptions& options) {
   FigureMetadata metadata;
   const std::string fault = metadata.read(options.from);
   if (!fault.empty()) throw FileFailure(fault);
-  std::vector<std::string> words = commandWords(metadata.description.substr(0, metadata.description.find('\n')));
-  if (words.size() < 3 || words[0] != "mien" || words[1] != "figure")
-    throw FileFailure(options.from + ": was not drawn by mien figure, but by: " + metadata.description);
+  std::vector<std::string> words = commandWords(metadata.command());
+  if (words.size() < 3 || words[1] != "figure") throw FileFailure(options.from + ": " + otherOrigin(metadata));
   words = withNewOptions(words, *options.command);
   words.insert(words.end(), {"-o", options.output});
   CLI::App program;

@@ -5,6 +5,7 @@
 #include "Arguments.h"
 #include "Command.h"
 #include "FaceLayout.h"
+#include "FaceStateText.h"
 #include "Failure.h"
 #include "InfluenceFigure.h"
 #include "MeasuredFace.h"
@@ -104,7 +105,7 @@ void run(InfluenceCommandOptions& options) {
     figure.note = options.face.note() + "; direction " + options.direction;
     return figure;
   };
-  options.report.deliver(report, "mien influence --curve " + options.curve);
+  options.report.deliver(report, writeFaceState(options.face.state()));
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "FaceOptions.h"
 #include "FacePipeline.h"
 #include "Failure.h"
+#include "FigureInfo.h"
 #include "InfoText.h"
 #include "JsonInfo.h"
 #include "NumberText.h"
@@ -177,6 +178,7 @@ struct InfoKind {
 
 constexpr InfoKind kinds[] = {{"table", describeTableFile, printTableFile},
                               {"scan", describeScanFile, printScanFile},
+                              {"figure", describeFigureFile, printFigureFile},
                               {"picture", describePictureFile, printPictureFile},
                               {"json", describeJsonFile, printJsonFile}};
 
@@ -207,7 +209,8 @@ void addInfoCommand(CLI::App& program) {
   command->add_option(
       "file", options->file,
       "Boundary curves .vtp .mienz, animation .fap .csv, facial deformation table or markers .csv .fdt, scan "
-      ".ply .obj .stl .off, photograph .png .jpg .tif, its mesh or landmarks .csv, session, animation table, study or "
+      ".ply .obj .stl .off, photograph .png .jpg .tif, its mesh or landmarks .csv, figure .svg .pdf .png, session, "
+      "animation table, study or "
       "map .json [the generic face]");
   command->add_flag("--json", options->json, "Machine-readable");
   options->face.addSurfaceOptions(*command);

@@ -217,7 +217,7 @@ void run(const LodCommandOptions& options) {
   filter->SetSampleSpacing(spacing);
   updateWatched(filter, "comparison");
   if (!errors.first().empty()) throw FileFailure(options.scan + ": " + errors.first());
-  options.report.deliver(reportOf(options, filter->GetOutput(), k), "mien lod " + options.scan);
+  options.report.deliver(reportOf(options, filter->GetOutput(), k));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "Arguments.h"
 #include "Command.h"
 #include "CsvText.h"
+#include "FaceStateText.h"
 #include "Failure.h"
 #include "MeasureReports.h"
 #include "PipelineErrors.h"
@@ -94,7 +95,7 @@ void run(SpectrumCommandOptions& options) {
   std::optional<double> tolerance;  // mm
   if (!options.toleranceText.empty()) tolerance = parseMillimetres("--tolerance", options.toleranceText);
   options.face.update();
-  options.report.deliver(spectrumReport(options.face, tolerance), "mien spectrum");
+  options.report.deliver(spectrumReport(options.face, tolerance), writeFaceState(options.face.state()));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "Arguments.h"
 #include "Command.h"
 #include "CsvText.h"
+#include "FaceStateText.h"
 #include "Failure.h"
 #include "MeasureReports.h"
 #include "MeshFile.h"
@@ -115,7 +116,7 @@ Report reportOf(const MeasuredFace& face, const SweepChoice& choice, vtkPDEParam
 void run(SweepCommandOptions& options) {
   options.report.check();
   options.face.update();
-  options.report.deliver(sweepReport(options.face, options.choice), "mien sweep");
+  options.report.deliver(sweepReport(options.face, options.choice), writeFaceState(options.face.state()));
 }
 
 }  // namespace

@@ -25,17 +25,24 @@ std::string optionText(const CLI::Option& option) {
   return text;
 }
 
+/// "mien fdt show"
+std::string nameOf(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return (parent ? nameOf(*parent) + " " + command.get_name() : "mien");
+}
+
 }  // namespace
 
-std::string commandText(const CLI::App& command) {
-  std::string text = "mien " + command.get_name();
-  for (const CLI::Option* option : command.get_options()) text += optionText(*option);
+std::string commandText(const CLI::App& command, const std::set<std::string>& without) {
+  std::string text = nameOf(command);
+  for (const CLI::Option* option : command.get_options())
+    if (without.count(option->get_name()) == 0) text += optionText(*option);
   return text;
 }
 
 std::string commandText(const CLI::App& command, const std::vector<std::string>& positionals,
                         const std::set<std::string>& without) {
-  std::string text = "mien " + command.get_name();
+  std::string text = nameOf(command);
   for (const std::string& word : positionals) text += " " + quoted(word);
   for (const CLI::Option* option : command.get_options())
     if (!option->get_positional() && without.count(option->get_name()) == 0) text += optionText(*option);

@@ -76,7 +76,7 @@ void CurveDrawing::addNames(PlaneDrawing& drawing, const std::vector<int>& curve
     const QPointF bend(edge + side * leaderBend, ends[i].y());
     drawing.lines.push_back({QPolygonF({ends[i], bend, at}), leaderStroke()});
     drawing.labels.push_back({at, QString::fromStdString(FaceLayout::curveName(curves[i])), curveNameSize,
-                              (right ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter});
+                              int((right ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter)});
   }
 }
 

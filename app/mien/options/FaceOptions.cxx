@@ -1,6 +1,7 @@
 #include "FaceOptions.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -11,6 +12,8 @@
 #include "FaceScheme.h"
 #include "FaceStateText.h"
 #include "Failure.h"
+#include "FigureFile.h"
+#include "FigureMetadata.h"
 #include "MovementText.h"
 #include "OutputFile.h"
 #include "SessionText.h"
@@ -46,8 +49,9 @@ void FaceOptions::addSurfaceOptions(CLI::App& command) {
   add(faceOption::derivativeStrength, derivativeStrength_, "Factor on derivative conditions [1]");
   add(faceOption::precision, precision_, "single or double [single]");
   add(faceOption::state, state_,
-      "The face as a figure, a session or Copy as command has it: FILE.json, or the JSON itself; other options change "
-      "it");
+      "The face of a figure (.svg .pdf .png), of a session (.json), or the JSON itself as Copy as command has it; "
+      "other "
+      "options change it");
 }
 
 void FaceOptions::addAnimationOptions(CLI::App& command) {
@@ -113,6 +117,18 @@ void FaceOptions::setDefaultResolution(int rows, int columns) {
   defaultColumns_ = columns;
 }
 
+/// Of a .json file, or of a figure that carries one.
+std::string readStateText(const std::string& file, std::string& text) {
+  const std::vector<std::string>& figures = FigureFile::endings();
+  if (std::find(figures.begin(), figures.end(), fileEnding(file)) == figures.end())
+    return readTextFile(file, largestSessionText, text, "face state");
+  FigureMetadata figure;
+  const std::string fault = figure.read(file);
+  if (!fault.empty()) throw FileFailure(fault);
+  text = figure.state();
+  return text.empty() ? "the figure carries no state of a face; give one that does, or a .json file" : "";
+}
+
 /// The generic face, or what --state says.
 FaceState FaceOptions::start() const {
   FaceState state;
@@ -122,7 +138,7 @@ FaceState FaceOptions::start() const {
   if (state_.empty()) return state;
   const bool isText = state_.find_first_not_of(" \t\n") == state_.find('{');
   std::string text = state_, fault;
-  if (!isText) fault = readTextFile(state_, largestSessionText, text, "face state");
+  if (!isText) fault = readStateText(state_, text);
   nlohmann::json session;
   if (fault.empty()) fault = readSession(text, session);
   if (fault.empty() && !session.contains("face")) fault = "the member 'face' is missing";

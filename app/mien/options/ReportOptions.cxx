@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "CommandText.h"
 #include "Failure.h"
 #include "FigureApplication.h"
 #include "FigureFile.h"
@@ -24,6 +25,7 @@ std::string list(const std::vector<std::string>& endings) {
 }  // namespace
 
 void ReportOptions::addTo(CLI::App& command) {
+  command_ = &command;
   command.add_flag("--json", json_, "Machine-readable results on stdout");
   command.add_option("-o,--output", outputs_,
                      "Files to write, once for each: the table as .csv, the chart as .svg .pdf .png" +
@@ -48,26 +50,28 @@ std::vector<std::string> ReportOptions::outputs(const std::string& ending) const
   return names;
 }
 
-void ReportOptions::writeFigure(const Report& report, const std::string& name, const std::string& command) const {
+void ReportOptions::writeFigure(const Report& report, const std::string& name, const std::string& state) const {
   const FigureApplication application;
+  const std::string command = commandText(*command_, {"--output", "--json"}) + "\n",
+                    made = state.empty() ? state : "\n" + state;
   const FigureTheme& theme = *FigureTheme::find(drawing_.theme());
   if (report.plate) {
     const Plate plate = report.plate(drawing_.width());
     const PlatePainter painter(plate, theme, drawing_.width());
     drawing_.write(
-        name, painter.size(), [&](QPainter& p) { painter.paint(p); }, plate.title, command + "\n" + plate.note);
+        name, painter.size(), [&](QPainter& p) { painter.paint(p); }, plate.title, command + plate.note + made);
     return;
   }
   const Figure figure = report.figure();
   const FigurePainter painter(figure, theme, drawing_.width());
   drawing_.write(
-      name, painter.size(), [&](QPainter& p) { painter.paint(p); }, figure.title, command + "\n" + figure.note);
+      name, painter.size(), [&](QPainter& p) { painter.paint(p); }, figure.title, command + figure.note + made);
 }
 
-void ReportOptions::deliver(const Report& report, const std::string& command) const {
+void ReportOptions::deliver(const Report& report, const std::string& state) const {
   for (const std::string& name : outputs_) {
     if (fileEnding(name) == "csv") OutputFile::write(name, csvText(report.rows));
-    if (FigureOptions::isFigure(name)) writeFigure(report, name, command);
+    if (FigureOptions::isFigure(name)) writeFigure(report, name, state);
   }
   if (json_) {
     std::cout << report.json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n";

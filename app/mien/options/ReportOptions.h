@@ -39,12 +39,14 @@ class ReportOptions {
   /// Of the files to write, those with that ending.
   std::vector<std::string> outputs(const std::string& ending) const;
 
-  /// Writes the files, and the table or JSON on stdout. `command` is kept in the charts.
-  void deliver(const Report& report, const std::string& command) const;
+  /// Writes the files, and the table or JSON on stdout. Charts keep the command as it was given.
+  /// @param state  of the face, which charts keep as well; empty when there is none
+  void deliver(const Report& report, const std::string& state = {}) const;
 
  private:
-  void writeFigure(const Report& report, const std::string& name, const std::string& command) const;
+  void writeFigure(const Report& report, const std::string& name, const std::string& state) const;
 
+  const CLI::App* command_ = nullptr;
   std::vector<std::string> otherEndings_, outputs_;
   FigureOptions drawing_{"170"};
   bool json_ = false;

@@ -136,7 +136,7 @@ void run(const FdtShowCommandOptions& options) {
   const std::string unknown = describeUnknown(table);
   if (!unknown.empty()) report.remarks.push_back(unknown);
   report.plate = [&](double width) { return plateOf(options, table, regions, width); };
-  options.report.deliver(report, "mien fdt show " + options.table);
+  options.report.deliver(report);
 }
 
 }  // namespace
