@@ -3,12 +3,14 @@
 #include <string>
 #include <system_error>
 
+#include "MienSurfaceModule.h"
+
 namespace mien {
 
 /// A file that appears only when it is complete: it is written under a temporary name beside its own, and commit()
 /// renames it. What was there before is replaced whole or not at all, and keeps its permissions; of a symbolic link
 /// that is the file it leads to.
-class WholeFile {
+class MIENSURFACE_EXPORT WholeFile {
  public:
   explicit WholeFile(const std::string& name) : name_(targetOf(name)), temporaryName_(temporaryNameOf(name_)) {}
   ~WholeFile();
