@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "FaceModel.h"
+#include "History.h"
 #include "FaceView.h"
 #include "PatchColors.h"
 #include "StudioFixture.h"
@@ -114,6 +115,53 @@ TEST_F(FaceColoring, AnAutomaticRangeIsSymmetricGrowsAndNeverShrinks) {
   find<QToolButton>("colorAutomatic")->click();
   find<QToolButton>("colorAutomatic")->click();
   EXPECT_EQ(end(), first);
+}
+
+/// Numbers would be shown in the colours of a state that is no more.
+TEST_F(FaceColoring, UndoAndRedoFitAnAutomaticRange) {
+  const auto smooth = [this](double a) {
+    auto* box = find<QDoubleSpinBox>("surfaceSmoothing");
+    box->setFocus();
+    box->setValue(a);
+    window->history().act();
+    settle();
+    window->history().record();
+  };
+  choose(meanCurvature);
+  window->history().clear();
+  const double first = end();
+  smooth(30.0);
+  const double grown = end();
+  ASSERT_GT(grown, first);
+  window->history().undo();
+  settle();
+  EXPECT_EQ(end(), first);
+  window->history().redo();
+  settle();
+  EXPECT_EQ(end(), grown);
+  window->history().undo();
+  settle();
+  smooth(0.9);
+  EXPECT_EQ(end(), first) << "and from then on it follows as before";
+}
+
+TEST_F(FaceColoring, UndoFitsTheRangeOfADifference) {
+  auto* compare = find<QComboBox>("compareWith");
+  compare->setCurrentIndex(1);
+  emit compare->activated(1);  // with this state
+  const auto express = [&](const char* expression) {
+    find<QPushButton>(expression)->click();
+    window->history().act();
+    settle();
+    window->history().record();
+  };
+  express("expression_sadness");
+  EXPECT_TRUE(waitUntil([this] { return end() > 1.0; }));
+  const double sad = end();
+  express("expression_surprise");
+  EXPECT_TRUE(waitUntil([&] { return end() > sad; }));
+  window->history().undo();
+  EXPECT_TRUE(waitUntil([&] { return end() == sad; })) << end();
 }
 
 TEST_F(FaceColoring, AFixedRangeStays) {

@@ -13,10 +13,12 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QSettings>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "Autosave.h"
 #include "FaceModel.h"
@@ -72,6 +74,14 @@ class Recovery : public testing::Test {
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(text);
     return file.fileName();
+  }
+
+  /// What the file of this process holds; null until there is one.
+  static nlohmann::json keptSession() {
+    nlohmann::json session;
+    if (kept().size() == 1)
+      mien::SessionFile::read(QDir(mien::Autosave::usualFolder()).filePath(kept().front()), session);
+    return session;
   }
 
   static QString said(mien::StudioWindow& window) {
@@ -163,6 +173,27 @@ TEST_F(Recovery, NothingIsLeftAfterAnEndInGoodOrder) {
   EXPECT_EQ(kept(), QStringList());
 }
 
+TEST_F(Recovery, CamerasAndTheWorkspaceAreKeptToo) {
+  const auto window = start();
+  window->findChild<QToolButton*>("lookSide")->click();
+  ASSERT_TRUE(QTest::qWaitFor([] { return kept().size() == 1; }, longWait)) << "a camera that was moved is lost";
+  const nlohmann::json before = keptSession();
+  window->findChild<QTabBar*>("workspaces")->setCurrentIndex(2);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return keptSession() != before; }, longWait)) << "the workspace is lost";
+}
+
+TEST_F(Recovery, NothingIsOfferedOfWhatWasSaved) {
+  const auto window = start();
+  changeByHand(*window);
+  ASSERT_TRUE(QTest::qWaitFor([] { return kept().size() == 1; }, longWait));
+  ASSERT_TRUE(window->document().save(data.filePath("joy.mien-session.json")));
+  EXPECT_EQ(kept(), QStringList());
+  QTest::qWait(mien::Autosave::interval + 500);
+  EXPECT_EQ(kept(), QStringList());
+  changeByHand(*window);
+  EXPECT_TRUE(QTest::qWaitFor([] { return kept().size() == 1; }, longWait));
+}
+
 TEST_F(Recovery, OfADamagedFileSaysSoOnceAndPutsItAside) {
   const QString name = keep("a", "{\"format\": \"mien sess");
   {
@@ -235,6 +266,45 @@ TEST_F(Recovery, BringsTheNameOfTheSessionBack) {
   EXPECT_EQ(window->windowTitle().toStdString(), "joy.mien-session.json[*]");
   window->findChild<QAction*>("actionNewSession")->trigger();
   EXPECT_EQ(window->windowTitle().toStdString(), "New session[*]");
+}
+
+/// By another window, say: between the last sight of a file and saving, also where a crash lies between.
+TEST_F(Recovery, WhatOthersWroteIntoTheFileIsNotReplacedWithoutAWord) {
+  const QString session = data.filePath("joy.mien-session.json");
+  const auto written = [&](const QByteArray& text) {
+    QFile file(session);
+    EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+  };
+  int warned = 0;
+  bool goesOn = false;
+  const auto warn = [&] { return ++warned, goesOn; };
+  QByteArray text;
+  {
+    const auto window = start();
+    window->document().setWarning(warn);
+    ASSERT_TRUE(window->document().save(session));
+    ASSERT_TRUE(window->document().save());
+    EXPECT_EQ(warned, 0) << "of what it wrote itself";
+    changeByHand(*window);
+    ASSERT_TRUE(QTest::qWaitFor([] { return kept().size() == 1; }, longWait));
+    text = QByteArray::fromStdString(keptSession().dump());
+    written("other");
+    EXPECT_FALSE(window->document().save());
+    EXPECT_EQ(warned, 1);
+    EXPECT_TRUE(window->isWindowModified());
+  }
+  EXPECT_EQ(QFileInfo(session).size(), 5);
+  keep("killed", text);
+  const auto window = start();
+  window->document().setWarning(warn);
+  QTest::mouseClick(window->findChild<QToolButton*>("recoveryRestore"), Qt::LeftButton);
+  EXPECT_FALSE(window->document().save());
+  EXPECT_EQ(warned, 2);
+  goesOn = true;
+  EXPECT_TRUE(window->document().save());
+  EXPECT_GT(QFileInfo(session).size(), 1000);
+  EXPECT_TRUE(window->document().save());
+  EXPECT_EQ(warned, 3);
 }
 
 TEST_F(Recovery, IsOfferedBeforeTheTour) {

@@ -44,8 +44,8 @@ ColoringBar::ColoringBar(FaceColoring* coloring, QWidget* parent)
       range_(new QWidget(this)),
       choice_(new QComboBox(this)),
       automatic_(toggle("colorAutomatic", tr("Auto"),
-                        tr("The range follows the face: it grows with the values and never shrinks; press twice to fit "
-                           "it to the present face"))),
+                        tr("The range follows the face: it grows with the values and does not shrink; press twice to "
+                           "fit it to the present face, as undo and redo do"))),
       begin_(new NumberBox(this)),
       to_(new QLabel(tr("\u2013"), this)),
       end_(new NumberBox(this)),

@@ -8,7 +8,6 @@
 #include <QTimer>
 #include <nlohmann/json.hpp>
 
-#include "History.h"
 #include "Session.h"
 #include "SessionFile.h"
 
@@ -29,9 +28,17 @@ std::unique_ptr<QLockFile> lockFor(const QString& file) {
   return lock;
 }
 
+/// What its own member says; empty when it does not.
+QString textOf(const nlohmann::json& session, const char* name) {
+  const auto own = session.find(member);
+  if (own == session.end() || !own->is_object()) return {};
+  const auto text = own->find(name);
+  return text != own->end() && text->is_string() ? QString::fromStdString(text->get<std::string>()) : QString();
+}
+
 }  // namespace
 
-Autosave::Autosave(Session* session, History* history, const QString& folder)
+Autosave::Autosave(Session* session, const QString& folder)
     : QObject(session),
       session_(session),
       folder_(folder),
@@ -43,15 +50,27 @@ Autosave::Autosave(Session* session, History* history, const QString& folder)
   timer_->setSingleShot(true);
   timer_->setInterval(interval);
   connect(timer_, &QTimer::timeout, this, &Autosave::write);
-  connect(history, &History::changed, this, [this, history] {
-    const bool hasChanged = lock_ || !history->isClean();
-    if (hasChanged && !timer_->isActive()) timer_->start();
-  });
   findOrphans();
 }
 
 Autosave::~Autosave() {
+  putAway();
+}
+
+void Autosave::putAway() {
+  timer_->stop();
   if (lock_) QFile::remove(file_);
+  lock_.reset();
+}
+
+void Autosave::setDocument(const QString& fileName, const QString& stamp) {
+  document_ = fileName;
+  stamp_ = stamp;
+}
+
+void Autosave::follow(bool isModified) {
+  if (!isModified) return putAway();
+  if (!timer_->isActive()) timer_->start();
 }
 
 QString Autosave::usualFolder() {
@@ -116,10 +135,11 @@ void Autosave::putAside() {
 }
 
 QString Autosave::documentOf(const nlohmann::json& session) {
-  const auto own = session.find(member);
-  if (own == session.end() || !own->is_object()) return {};
-  const auto file = own->find("document");
-  return file != own->end() && file->is_string() ? QString::fromStdString(file->get<std::string>()) : QString();
+  return textOf(session, "document");
+}
+
+QString Autosave::stampOf(const nlohmann::json& session) {
+  return textOf(session, "stamp");
 }
 
 /// Without a place to write to there is none; nobody is troubled with that.
@@ -130,7 +150,7 @@ void Autosave::write() {
     lock_->tryLock(0);
   }
   nlohmann::json session = session_->whole();
-  session[member] = {{"document", document_.toStdString()}};
+  session[member] = {{"document", document_.toStdString()}, {"stamp", stamp_.toStdString()}};
   SessionFile::write(session, file_);
 }
 

@@ -12,19 +12,18 @@ class QTimer;
 
 namespace mien {
 
-class History;
 class Session;
 
 /// Keeps what has changed in a file of this process until it ends in good order, and finds the files of those that did
 /// not. Each has a lock beside it, which ends with its process. The file is a session with the member
-/// `autosave`: {"document": the file whose session it is, or empty}.
+/// `autosave`: {"document": the file whose session it is, or empty, "stamp": SessionFile::stampOf() when it was read}.
 class Autosave : public QObject {
   Q_OBJECT
  public:
   static constexpr int interval = 2000;  ///< ms between a change and its file at most
 
   /// @param folder  made when it is needed
-  Autosave(Session* session, History* history, const QString& folder);
+  Autosave(Session* session, const QString& folder);
   ~Autosave() override;  ///< takes this process's file away
 
   static QString usualFolder();  ///< in the user's local data
@@ -43,8 +42,14 @@ class Autosave : public QObject {
   /// The file whose session this is; empty: none.
   static QString documentOf(const nlohmann::json& session);
 
+  /// How that file was when it was opened or saved; empty: not known.
+  static QString stampOf(const nlohmann::json& session);
+
  public slots:
-  void setDocument(const QString& fileName) { document_ = fileName; }
+  void setDocument(const QString& fileName, const QString& stamp);
+
+  /// After each change. Nothing is kept of what is not modified.
+  void follow(bool isModified);
 
  private:
   struct Orphan {
@@ -54,9 +59,10 @@ class Autosave : public QObject {
   void findOrphans();
   void putDamagedAside();
   void write();
+  void putAway();
 
   Session* session_;
-  QString folder_, file_, document_;
+  QString folder_, file_, document_, stamp_;
   QStringList damage_;
   std::unique_ptr<QLockFile> lock_;
   QTimer* timer_;

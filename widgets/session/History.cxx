@@ -196,6 +196,7 @@ void History::push(const json& now, bool follows) {
 
 void History::apply(const json& change) {
   applying_ = true;
+  emit travels();
   json wanted = *present_;
   wanted.merge_patch(change);
   session_->restore(wanted);

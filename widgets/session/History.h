@@ -45,6 +45,7 @@ class History : public QObject {
 
  signals:
   void changed();
+  void travels();  ///< before undo() or redo() shows another state
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

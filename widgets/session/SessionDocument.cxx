@@ -30,6 +30,14 @@ SessionDocument::Answer ask(QWidget* window, const QString& name) {
                                           : SessionDocument::Answer::Cancel;
 }
 
+bool warn(QWidget* window, const QString& name) {
+  return QMessageBox::warning(window, SessionDocument::tr("Replace the file?"),
+                              SessionDocument::tr("%1 has been written since it was opened here, perhaps by another "
+                                                  "window. Saving replaces what is in it now.")
+                                  .arg(QFileInfo(name).fileName()),
+                              QMessageBox::Save | QMessageBox::Cancel, QMessageBox::Cancel) == QMessageBox::Save;
+}
+
 }  // namespace
 
 SessionDocument::SessionDocument(Session* session, History* history, FaceModel* model, QWidget* window)
@@ -39,7 +47,10 @@ SessionDocument::SessionDocument(Session* session, History* history, FaceModel* 
       model_(model),
       window_(window),
       cameras_(std::make_unique<json>(session->cameras())) {
-  if (!QCoreApplication::organizationName().isEmpty()) question_ = [this] { return ask(window_, file_); };
+  if (!QCoreApplication::organizationName().isEmpty()) {
+    question_ = [this] { return ask(window_, file_); };
+    warning_ = [this] { return warn(window_, file_); };
+  }
   connect(history_, &History::changed, this, &SessionDocument::showTitle);
   showTitle();
 }
@@ -60,14 +71,16 @@ void SessionDocument::showTitle() {
   const QString name = file_.isEmpty() ? tr("New session") : QFileInfo(file_).fileName();
   window_->setWindowTitle((recovered_ ? tr("%1 (recovered)").arg(name) : name) + "[*]");
   window_->setWindowModified(isModified());
+  emit changed();
 }
 
-void SessionDocument::take(const QString& fileName, bool isRecovered) {
+void SessionDocument::take(const QString& fileName) {
   file_ = fileName.isEmpty() ? QString() : QFileInfo(fileName).absoluteFilePath();
-  recovered_ = isRecovered;
+  stamp_ = SessionFile::stampOf(file_);
+  recovered_ = false;
   *cameras_ = session_->cameras();
+  emit named(file_, stamp_);
   showTitle();
-  emit named(file_);
 }
 
 /// Docks stay where the user put them, in the workspace that is open.
@@ -118,7 +131,11 @@ bool SessionDocument::recover(const nlohmann::json& session, const QString& faul
   if (!fault.isEmpty()) return refuse(fault);
   if (!show(session, tr("What was kept"))) return false;
   history_->clearAsModified();
-  take(Autosave::documentOf(session), true);
+  take(Autosave::documentOf(session));
+  recovered_ = true;
+  if (const QString stamp = Autosave::stampOf(session); !stamp.isEmpty()) stamp_ = stamp;
+  emit named(file_, stamp_);
+  showTitle();
   return true;
 }
 
@@ -139,7 +156,13 @@ bool SessionDocument::save(const QString& fileName) {
 }
 
 bool SessionDocument::save() {
-  return file_.isEmpty() ? saveAs() : save(file_);
+  if (file_.isEmpty()) return saveAs();
+  return mayReplace() && save(file_);
+}
+
+bool SessionDocument::mayReplace() {
+  const QString now = SessionFile::stampOf(file_);
+  return now.isEmpty() || now == stamp_ || !warning_ || warning_();
 }
 
 bool SessionDocument::saveAs() {

@@ -20,6 +20,7 @@ class SessionDocument : public QObject {
  public:
   enum class Answer { Save, Discard, Cancel };
   using Question = std::function<Answer()>;
+  using Warning = std::function<bool()>;  ///< @return whether to go on
 
   SessionDocument(Session* session, History* history, FaceModel* model, QWidget* window);
   ~SessionDocument() override;
@@ -37,7 +38,7 @@ class SessionDocument : public QObject {
   bool recover(const nlohmann::json& session, const QString& fault);
 
   bool save(const QString& fileName);  ///< @return whether it was written; else the message bar says why not
-  bool save();                         ///< under its name; asks for one where it has none
+  bool save();  ///< under its name; asks for one where it has none, and where others have written the file since
   bool saveAs();
 
   const QString& fileName() const { return file_; }
@@ -51,26 +52,33 @@ class SessionDocument : public QObject {
   /// Who is asked about changes that are not saved. Default: a dialog, and nobody in a program without a name.
   void setQuestion(const Question& question) { question_ = question; }
 
+  /// Who is asked before what others have written into the file is replaced. Default: as above.
+  void setWarning(const Warning& warning) { warning_ = warning; }
+
  signals:
+  void changed();  ///< perhaps: what it holds, or whether that is saved
   void opened(const QString& fileName);
   void saved(const QString& fileName);
-  void named(const QString& fileName);  ///< whose session this is now; empty: a new one
+  /// Whose session this is now, and how its file was then; empty: a new one.
+  void named(const QString& fileName, const QString& stamp);
 
  private:
   bool show(const nlohmann::json& session, const QString& name, const QString& folder = QString());
   bool refuse(const QString& fault);  ///< @return false
-  void take(const QString& fileName, bool isRecovered = false);
+  void take(const QString& fileName);
+  bool mayReplace();
   void showTitle();
 
   Session* session_;
   History* history_;
   FaceModel* model_;
   QWidget* window_;
-  QString file_;
+  QString file_, stamp_;
   bool recovered_ = false;
   std::unique_ptr<nlohmann::json> start_;
   std::unique_ptr<nlohmann::json> cameras_;  ///< as they were saved or opened
   Question question_;
+  Warning warning_;
 };
 
 }  // namespace mien

@@ -1,6 +1,7 @@
 #include "SessionFile.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QFileInfo>
 #include <nlohmann/json.hpp>
 
@@ -29,6 +30,12 @@ QString SessionFile::read(const QString& fileName, nlohmann::json& session) {
 QString SessionFile::write(const nlohmann::json& session, const QString& fileName) {
   const std::string fault = WholeFile::write(fileName.toStdString(), writeSession(session));
   return fault.empty() ? QString() : QFileInfo(fileName).fileName() + ": " + QString::fromStdString(fault);
+}
+
+QString SessionFile::stampOf(const QString& fileName) {
+  const QFileInfo file(fileName);
+  if (fileName.isEmpty() || !file.exists()) return {};
+  return QString("%1 %2").arg(file.lastModified().toMSecsSinceEpoch()).arg(file.size());
 }
 
 }  // namespace mien

@@ -16,6 +16,9 @@ class SessionFile {
 
   /// Appears under its name once it is whole. @return nothing, or what is wrong
   static QString write(const nlohmann::json& session, const QString& fileName);
+
+  /// Another one when the file has been written since; empty where there is no file.
+  static QString stampOf(const QString& fileName);
 };
 
 }  // namespace mien

@@ -16,11 +16,16 @@ SessionKeeper::SessionKeeper(FaceModel* model, AnimationPlayer* player, QMainWin
   history_ = new History(session, model, player);
   document_ = new SessionDocument(session, history_, model, window);
   recent_ = new RecentFiles(this);
-  if (!QCoreApplication::organizationName().isEmpty())
-    autosave_ = new Autosave(session, history_, Autosave::usualFolder());
+  if (!QCoreApplication::organizationName().isEmpty()) autosave_ = new Autosave(session, Autosave::usualFolder());
   connect(document_, &SessionDocument::opened, recent_, &RecentFiles::add);
   connect(document_, &SessionDocument::saved, recent_, &RecentFiles::add);
-  if (autosave_) connect(document_, &SessionDocument::named, autosave_, &Autosave::setDocument);
+  if (!autosave_) return;
+  connect(document_, &SessionDocument::named, autosave_, &Autosave::setDocument);
+  connect(document_, &SessionDocument::changed, this, &SessionKeeper::keep);
+}
+
+void SessionKeeper::keep() {
+  if (autosave_) autosave_->follow(document_->isModified());
 }
 
 void SessionKeeper::begin() {

@@ -20,6 +20,7 @@ class SessionKeeper : public QObject {
  public:
   SessionKeeper(FaceModel* model, AnimationPlayer* player, QMainWindow* window);
 
+  void keep();   ///< what has changed beside the document itself, such as the workspace
   void begin();  ///< once the window is whole: what it shows is a new session, with nothing to undo
 
   History* history() const { return history_; }

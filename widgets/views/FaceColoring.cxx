@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "BundledFile.h"
 #include "ColorKey.h"
@@ -264,6 +265,10 @@ void FaceColoring::fit() {
   paint();
 }
 
+void FaceColoring::fitNext() {
+  fitsNext_ = true;
+}
+
 void FaceColoring::setRange(double begin, double end) {
   if (!(begin < end)) return;
   automatic_ = false;
@@ -279,6 +284,7 @@ void FaceColoring::growRange() {
     if (!(begin_ < end_)) end_ = begin_ + 1.0;
     return;
   }
+  if (std::exchange(fitsNext_, false)) begin_ = end_ = 0.0;
   for (vtkPolyData* shown : colored()) {
     if (!array_.find(shown) || (kind_ == Kind::Difference && shown != colored().front())) continue;
     const auto [low, high] = array_.spread(shown);

@@ -22,8 +22,8 @@ class FaceView;
 /// the surface, or how far the two lie apart. Both sides have one scale.
 ///
 /// Numbers keep the meaning of their colours: an automatic range grows when 4 % of the surface would lie beyond it, and
-/// never shrinks while the same array is chosen; a fixed one stays. When a dock shows numbers of its own on the face,
-/// this gives way and tells what they are and their scale, until something is chosen here.
+/// never shrinks while the same array is chosen, but by fit(); a fixed one stays. When a dock shows numbers of its own
+/// on the face, this gives way and tells what they are and their scale, until something is chosen here.
 class FaceColoring : public QObject {
   Q_OBJECT
  public:
@@ -46,7 +46,8 @@ class FaceColoring : public QObject {
 
   bool isNumbers() const { return kind_ == Kind::Numbers || kind_ == Kind::Difference; }
   void setAutomatic(bool automatic);
-  void fit();  ///< chooses an automatic range for the present face
+  void fit();      ///< chooses an automatic range for the present face
+  void fitNext();  ///< the same once it has changed
   bool isAutomatic() const { return automatic_; }
   void setRange(double begin, double end);  ///< of a fixed range, in the array's unit; begin < end
   double begin() const { return begin_; }
@@ -91,7 +92,7 @@ class FaceColoring : public QObject {
   FaceArray array_;
   QString dock_;
   std::string photograph_, photographMesh_;  ///< the last one
-  bool automatic_ = true, compares_ = false;
+  bool automatic_ = true, compares_ = false, fitsNext_ = false;
   double begin_ = 0.0, end_ = 1.0;
 };
 

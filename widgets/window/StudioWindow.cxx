@@ -21,6 +21,7 @@
 #include "EditMenu.h"
 #include "ExpressionPanel.h"
 #include "FAPPanel.h"
+#include "FaceColoring.h"
 #include "FaceModel.h"
 #include "FileMenu.h"
 #include "FileOpener.h"
@@ -108,6 +109,8 @@ StudioWindow::StudioWindow()
   keeper_->begin();
   connect(views_, &ViewArea::colorChosen, keeper_->history(), &History::act);
   connect(views_, &ViewArea::cameraMoved, keeper_->document(), &SessionDocument::followCameras);
+  connect(workspaces_->bar(), &QTabBar::currentChanged, keeper_, &SessionKeeper::keep);
+  connect(keeper_->history(), &History::travels, views_->coloring(), &FaceColoring::fitNext);
   const QString damage = keeper_->autosave() ? keeper_->autosave()->damage() : QString();
   if (!damage.isEmpty())
     messages_->showError(
