@@ -11,7 +11,9 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QPushButton>
 #include <QRegularExpression>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <algorithm>
@@ -315,6 +317,20 @@ TEST_F(ViewFit, CrownAndEarsOfAHeadAreWithinTheView) {
       comparison->clear();
     }
   }
+}
+
+/// With their keys, numbers and a timeline below them, and the highest dock.
+TEST_F(ViewFit, ComparedFacesAreMoreThanABlotInTheSmallestWindow) {
+  window->resize(960, 660);
+  find<QTabBar>("workspaces")->setCurrentIndex(2);
+  ASSERT_TRUE(window->openAnimation(writeLids(10, 25)));
+  auto* compare = find<QComboBox>("compareWith");
+  compare->setCurrentIndex(1);
+  emit compare->activated(1);
+  find<QPushButton>("expression_sadness")->click();
+  settle();
+  EXPECT_EQ(window->height(), 660);
+  for (const char* view : {"faceView", "otherFaceView"}) EXPECT_GE(find<QWidget>(view)->height(), 100) << view;
 }
 
 }  // namespace

@@ -177,10 +177,11 @@ void ColorKey::paintPatches(QPainter& painter) const {
 void ColorKey::paintSkins(QPainter& painter) const {
   const QColor& skin = Theme::current().skin;
   const std::pair<QColor, QString> skins[] = {
-      {skin, tr("Face")}, {scan_, tr("Scan")}, {over(skin, scan_), tr("Scan before the face")}};
+      {skin, tr("Face")}, {scan_, tr("Scan")}, {over(skin, scan_), tr("Scan on face")}};
   double left = keySide;
   for (const auto& [color, text] : skins) {
-    paintSwatch(painter, left, color, text);
+    const int room = std::max(0, static_cast<int>(width() - keySide - left - swatch - swatchGap));
+    paintSwatch(painter, left, color, fontMetrics().elidedText(text, Qt::ElideRight, room));
     left += 2 * swatch + fontMetrics().horizontalAdvance(text) + keyGap;
   }
 }

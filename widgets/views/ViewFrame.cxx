@@ -15,6 +15,7 @@ namespace {
 
 constexpr int gap = 6;             // pixels between groups of buttons
 constexpr int edge = 1;            // pixels, of the frame's line
+constexpr int leastView = 100;     // pixels high, in which a face is more than a blot
 constexpr int longestTitle = 210;  // pixels that a title has before any button; a longer one ends in dots
 
 }  // namespace
@@ -37,6 +38,7 @@ ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
   column->setSpacing(0);
   column->addWidget(header_);
   stage_->setContentsMargins(0, 0, 0, 0);
+  view->setMinimumHeight(leastView);
   stage_->addWidget(view, 0, 0);
   column->addLayout(stage_, 1);
 }
