@@ -1,13 +1,13 @@
 #include "ComparisonBar.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 
 #include "Comparison.h"
 #include "FaceScheme.h"
+#include "FileDialog.h"
 #include "SessionPart.h"
 
 namespace mien {
@@ -63,9 +63,9 @@ void ComparisonBar::choose(int index) {
 }
 
 void ComparisonBar::chooseMesh() {
-  const QString name = QFileDialog::getOpenFileName(
-      window(), tr("Compare with a mesh or scan"), QString(),
-      tr("Surfaces (*.vts *.vtp *.ply *.obj *.stl *.off *.PLY *.OBJ *.STL *.OFF);;All files (*)"));
+  const QString name =
+      FileDialog::open(window(), tr("Compare with a mesh or scan"),
+                       tr("Surfaces (*.vts *.vtp *.ply *.obj *.stl *.off *.PLY *.OBJ *.STL *.OFF);;All files (*)"));
   if (!name.isEmpty()) comparison_->openMesh(name);
 }
 

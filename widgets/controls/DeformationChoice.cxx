@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -12,6 +11,7 @@
 
 #include "DeformationText.h"
 #include "FaceModel.h"
+#include "FileDialog.h"
 #include "NamedTables.h"
 #include "SignedBox.h"
 #include "TableTitle.h"
@@ -104,9 +104,8 @@ void DeformationChoice::connectControls() {
     model_->change([&](FaceState& state) { state.deformation.table = table; });
   });
   connect(open_, &QToolButton::clicked, this, [this] {
-    const QString name =
-        QFileDialog::getOpenFileName(window(), tr("Open deformation table"), QString(),
-                                     tr("Facial deformation tables (*.csv *.CSV *.fdt);;All files (*)"));
+    const QString name = FileDialog::open(window(), tr("Open deformation table"),
+                                          tr("Facial deformation tables (*.csv *.CSV *.fdt);;All files (*)"));
     if (!name.isEmpty()) open(name);
   });
   connect(strength_, &QSlider::valueChanged, this, &DeformationChoice::setPercent);

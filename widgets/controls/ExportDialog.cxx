@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QGuiApplication>
@@ -19,6 +18,7 @@
 
 #include "Exporter.h"
 #include "FigureFile.h"
+#include "FileDialog.h"
 #include "Remembered.h"
 #include "SessionPart.h"
 #include "SignedBox.h"
@@ -200,11 +200,9 @@ void ExportDialog::showPreview() {
 
 void ExportDialog::chooseFile() {
   const Format& format = formats[format_->currentIndex()];
-  QString name = QFileDialog::getSaveFileName(this, tr("Export"), exporter_->suggestedName(ending()),
-                                              QString("%1 (*.%2)").arg(tr(format.description), ending()));
-  if (name.isEmpty()) return;
-  if (QFileInfo(name).suffix().isEmpty()) name += '.' + ending();
-  save(name);
+  const QString name = FileDialog::save(this, tr("Export"), exporter_->suggestedName(ending()),
+                                        QString("%1 (*.%2)").arg(tr(format.description), ending()), '.' + ending());
+  if (!name.isEmpty()) save(name);
 }
 
 bool ExportDialog::save(const QString& fileName) {

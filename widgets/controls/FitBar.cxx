@@ -4,7 +4,6 @@
 #include <vtkNew.h>
 #include <vtkTable.h>
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -16,6 +15,7 @@
 #include "ElidedLabel.h"
 #include "FDTData.h"
 #include "FaceModel.h"
+#include "FileDialog.h"
 #include "FramedButton.h"
 #include "PipelineErrors.h"
 #include "PresentTable.h"
@@ -107,11 +107,9 @@ void FitBar::showFit() {
 }
 
 void FitBar::ask() {
-  QString name = QFileDialog::getSaveFileName(window(), tr("Save the fitted table"), QString(),
-                                              tr("Facial deformation table (*.csv)"));
-  if (name.isEmpty()) return;
-  if (QFileInfo(name).suffix().isEmpty()) name += ".csv";
-  save(name);
+  const QString name = FileDialog::save(window(), tr("Save the fitted table"), QString(),
+                                        tr("Facial deformation table (*.csv)"), ".csv");
+  if (!name.isEmpty()) save(name);
 }
 
 /// One line, without paths: what the table was fitted to.

@@ -7,7 +7,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -21,6 +20,7 @@
 #include "CurveFile.h"
 #include "FaceLayout.h"
 #include "FaceModel.h"
+#include "FileDialog.h"
 #include "FramedButton.h"
 #include "OverflowRow.h"
 #include "ScanPanel.h"
@@ -324,11 +324,9 @@ void CurvePanel::remove(int index) {
 }
 
 void CurvePanel::chooseSaved() {
-  QString name =
-      QFileDialog::getSaveFileName(window(), tr("Save the curves"), QString(), tr("Boundary curves (*.vtp)"));
-  if (name.isEmpty()) return;
-  if (QFileInfo(name).suffix().isEmpty()) name += ".vtp";
-  save(name);
+  const QString name =
+      FileDialog::save(window(), tr("Save the curves"), QString(), tr("Boundary curves (*.vtp)"), ".vtp");
+  if (!name.isEmpty()) save(name);
 }
 
 bool CurvePanel::save(const QString& fileName) {

@@ -8,7 +8,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMimeData>
@@ -25,6 +24,7 @@
 #include "CurveFile.h"
 #include "FaceModel.h"
 #include "FaceView.h"
+#include "FileDialog.h"
 #include "FramedButton.h"
 #include "LengthUnit.h"
 #include "OverflowRow.h"
@@ -166,26 +166,22 @@ void ScanPanel::connectMap() {
 }
 
 void ScanPanel::choose() {
-  const QString name =
-      QFileDialog::getOpenFileName(window(), tr("Open a scan of a head"), QString(),
-                                   tr("Scans (*.ply *.obj *.stl *.off *.PLY *.OBJ *.STL *.OFF);;All files (*)"));
+  const QString name = FileDialog::open(window(), tr("Open a scan of a head"),
+                                        tr("Scans (*.ply *.obj *.stl *.off *.PLY *.OBJ *.STL *.OFF);;All files (*)"));
   if (!name.isEmpty()) open(name);
 }
 
 void ScanPanel::chooseLandmarks(bool on) {
-  const QString name = on ? QFileDialog::getOpenFileName(window(), tr("Open landmarks"), QString(),
-                                                         tr("Landmarks (*.csv *.CSV);;All files (*)"))
-                          : QString();
+  const QString name =
+      on ? FileDialog::open(window(), tr("Open landmarks"), tr("Landmarks (*.csv *.CSV);;All files (*)")) : QString();
   openLandmarks(name);
 }
 
 void ScanPanel::chooseAdopted() {
-  QString name =
-      QFileDialog::getSaveFileName(window(), tr("Save the scan's curves and make them the face"),
-                                   QFileInfo(file_).completeBaseName() + ".vtp", tr("Boundary curves (*.vtp)"));
-  if (name.isEmpty()) return;
-  if (QFileInfo(name).suffix().isEmpty()) name += ".vtp";
-  adopt(name);
+  const QString name =
+      FileDialog::save(window(), tr("Save the scan's curves and make them the face"),
+                       QFileInfo(file_).completeBaseName() + ".vtp", tr("Boundary curves (*.vtp)"), ".vtp");
+  if (!name.isEmpty()) adopt(name);
 }
 
 QString ScanPanel::droppedFile(const QMimeData* data) {

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 
+#include "FileDialog.h"
 #include "Remembered.h"
 
 namespace mien {
@@ -13,10 +14,13 @@ constexpr const char* key = "files/recent";
 }  // namespace
 
 RecentFiles::RecentFiles(QObject* parent)
-    : QObject(parent), files_(Remembered::value(key, QStringList()).toStringList()) {}
+    : QObject(parent), files_(Remembered::value(key, QStringList()).toStringList()) {
+  if (!files_.isEmpty()) FileDialog::remember(files_.front());
+}
 
 void RecentFiles::add(const QString& fileName) {
   const QString file = QFileInfo(fileName).absoluteFilePath();
+  FileDialog::remember(file);
   files_.removeAll(file);
   files_.prepend(file);
   while (files_.size() > most) files_.removeLast();

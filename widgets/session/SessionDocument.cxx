@@ -1,13 +1,13 @@
 #include "SessionDocument.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <nlohmann/json.hpp>
 
 #include "Autosave.h"
 #include "FaceModel.h"
+#include "FileDialog.h"
 #include "History.h"
 #include "Session.h"
 #include "SessionFile.h"
@@ -166,12 +166,10 @@ bool SessionDocument::mayReplace() {
 }
 
 bool SessionDocument::saveAs() {
-  QString name = QFileDialog::getSaveFileName(window_, tr("Save the session"),
-                                              file_.isEmpty() ? QString("face") + SessionFile::ending : file_,
-                                              tr("Sessions (*%1)").arg(SessionFile::ending));
-  if (name.isEmpty()) return false;
-  if (QFileInfo(name).suffix().isEmpty()) name += SessionFile::ending;
-  return save(name);
+  const QString name =
+      FileDialog::save(window_, tr("Save the session"), file_.isEmpty() ? QString("face") + SessionFile::ending : file_,
+                       tr("Sessions (*%1)").arg(SessionFile::ending), SessionFile::ending);
+  return !name.isEmpty() && save(name);
 }
 
 bool SessionDocument::mayClose() {

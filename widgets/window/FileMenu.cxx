@@ -1,8 +1,7 @@
 #include "FileMenu.h"
 
-#include <QFileDialog>
-
 #include "FaceModel.h"
+#include "FileDialog.h"
 #include "RecentMenu.h"
 #include "ScanPanel.h"
 #include "SessionDocument.h"
@@ -80,8 +79,8 @@ void FileMenu::addTables() {
 
 void FileMenu::chooseSession() {
   if (!document_->mayClose()) return;
-  const QString name = QFileDialog::getOpenFileName(
-      window_, tr("Open session"), QString(), tr("Sessions (*%1 *.json);;All files (*)").arg(SessionFile::ending));
+  const QString name = FileDialog::open(window_, tr("Open session"),
+                                        tr("Sessions (*%1 *.json);;All files (*)").arg(SessionFile::ending));
   if (!name.isEmpty()) document_->open(name);
 }
 

@@ -4,7 +4,6 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
@@ -23,6 +22,7 @@
 #include "FAPPanel.h"
 #include "FaceColoring.h"
 #include "FaceModel.h"
+#include "FileDialog.h"
 #include "FileMenu.h"
 #include "FileOpener.h"
 #include "FloatingBars.h"
@@ -231,17 +231,17 @@ void StudioWindow::playStream(int descriptor) {
 }
 
 void StudioWindow::chooseAnimation() {
-  const QString name = QFileDialog::getOpenFileName(
-      this, tr("Open"), QString(),
-      tr("All that can be opened (*.fap *.FAP *.csv *.CSV *.json *.JSON *.fdt *.FDT %1);;Facial "
-         "animation and capture (*.fap *.FAP *.csv *.CSV);;All files (*)")
-          .arg(FileOpener::endings()));
+  const QString name =
+      FileDialog::open(this, tr("Open"),
+                       tr("All that can be opened (*.fap *.FAP *.csv *.CSV *.json *.JSON *.fdt *.FDT %1);;Facial "
+                          "animation and capture (*.fap *.FAP *.csv *.CSV);;All files (*)")
+                           .arg(FileOpener::endings()));
   if (!name.isEmpty()) openFile(name);
 }
 
 void StudioWindow::chooseAnimationTable() {
-  const QString name = QFileDialog::getOpenFileName(this, tr("Open animation table"), QString(),
-                                                    tr("Animation tables (*.json *.JSON);;All files (*)"));
+  const QString name =
+      FileDialog::open(this, tr("Open animation table"), tr("Animation tables (*.json *.JSON);;All files (*)"));
   if (!name.isEmpty()) openAnimationTable(name);
 }
 
