@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFile>
 #include <QFileInfo>
@@ -187,6 +188,33 @@ TEST_F(TexturePanel, APhotographWithoutAMeshGetsOneToBeMoved) {
   EXPECT_TRUE(stored() == saved);
   EXPECT_FALSE(panel->save(folder.filePath("there_is_no_folder/x.csv")));
   EXPECT_TRUE(message().contains("there_is_no_folder"));
+}
+
+/// As when another colouring is chosen: what is ticked is what is seen.
+TEST_F(TexturePanel, ColoursOfADockGiveWayToAPhotograph) {
+  const auto colours = [this] { return find<QComboBox>("colorBy")->currentText(); };
+  find<QAction>("continuityDockAction")->trigger();
+  auto* map = find<QComboBox>("continuityFace");
+  map->setCurrentIndex(2);
+  settle();
+  ASSERT_TRUE(colours().contains("Continuity dock")) << colours().toStdString();
+  find<QAction>("textureDockAction")->trigger();
+  openPainted();
+  EXPECT_EQ(colours(), "Photograph");
+  EXPECT_EQ(map->currentIndex(), 0);
+  auto* on = find<QCheckBox>("textureOn");
+  on->setChecked(false);
+  map->setCurrentIndex(2);
+  settle();
+  on->setChecked(true);
+  EXPECT_TRUE(waitUntil([&] { return colours() == "Photograph"; })) << colours().toStdString();
+}
+
+TEST_F(TexturePanel, ColoursStayWhenThePhotographCannotBeRead) {
+  find<QComboBox>("colorBy")->setCurrentText("Patches");
+  panel->open(folder.filePath("no.png"));
+  ASSERT_TRUE(waitUntil([&] { return message().contains("no.png"); }));
+  EXPECT_EQ(find<QComboBox>("colorBy")->currentText(), "Patches");
 }
 
 TEST_F(TexturePanel, LandmarksGiveTheMeshCoarseOrFine) {

@@ -98,10 +98,17 @@ const QImage& FacePhotograph::picture() const {
 }
 
 void FacePhotograph::open(const QString& image, const QString& mesh) {
+  uncovers_ = !image.isEmpty();
   model_->change([&](FaceState& state) {
     state.texture = image.toStdString();
     state.textureMesh = mesh.toStdString();
   });
+  if (!reading_) uncover();
+}
+
+/// Only what the user has opened: a session has its own colours, and undo those of the step.
+void FacePhotograph::uncover() {
+  if (std::exchange(uncovers_, false)) view_->showOverlay(nullptr, true);
 }
 
 bool FacePhotograph::isOn() const {
@@ -153,6 +160,7 @@ void FacePhotograph::accept(const Names& names, const std::shared_ptr<Photograph
   reading_ = false;
   if (names.image != good_.image) landmarks_.clear();
   good_ = names;
+  uncover();
   photograph_ = photograph;
   mesh_ = mesh;
   const bool started = names.mesh.empty() && !std::filesystem::exists(meshBeside(names.image));
@@ -177,7 +185,7 @@ void FacePhotograph::refuse(const std::string& fault) {
 }
 
 void FacePhotograph::takeBack() {
-  reading_ = false;
+  reading_ = uncovers_ = false;
   waiting_.clear();
   asked_.image = good_.image;
   asked_.mesh = good_.mesh;

@@ -31,7 +31,8 @@ class FacePhotograph : public QObject {
   FacePhotograph(FaceModel* model, FaceView* view, QObject* parent);
   ~FacePhotograph() override;
 
-  /// Puts a photograph on the face; without a mesh the one beside it, else a starting mesh to be moved by hand.
+  /// Puts a photograph on the face; without a mesh the one beside it, else a starting mesh to be moved by hand. Colours
+  /// on the face give way to it.
   void open(const QString& image, const QString& mesh = {});
   void openMesh(const QString& file);  ///< a warp mesh, or the photograph's landmarks
   void setFine(bool fine);             ///< whether landmarks give 19 x 21 points instead of 7 x 7
@@ -77,6 +78,7 @@ class FacePhotograph : public QObject {
   Names named() const;
   vtkSmartPointer<vtkPolyData> curves() const;
   void follow();
+  void uncover();
   void read();
   void accept(const Names& names, const std::shared_ptr<Photograph>& photograph, const WarpMesh& mesh);
   void refuse(const std::string& fault);
@@ -99,6 +101,7 @@ class FacePhotograph : public QObject {
   QString landmarks_;
   QString waiting_;  ///< a mesh for the photograph that is being read
   bool fine_ = false, reading_ = false, warpsWhole_ = false;
+  bool uncovers_ = false;  ///< whether what is being read is to be seen instead of colours
 };
 
 }  // namespace mien
