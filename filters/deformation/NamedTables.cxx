@@ -6,6 +6,7 @@
 #include "AngerTable.h"
 #include "DisgustTable.h"
 #include "FearTable.h"
+#include "InlineText.h"
 #include "JoyTable.h"
 #include "PackedTable.h"
 #include "SadnessTable.h"
@@ -13,7 +14,6 @@
 #include "SurpriseTable.h"
 #include "TableList.h"
 #include "TableText.h"
-#include "TableTitle.h"
 #include "TextFileReader.h"
 
 namespace mien {
@@ -84,7 +84,7 @@ std::string readNamedTable(const std::string& nameOrFile, DeformationTable& tabl
     table = *known;
     return {};
   }
-  if (isInlineTable(nameOrFile)) {
+  if (isInlineText(nameOrFile)) {
     const std::string fault = parseTable(nameOrFile, table);
     return fault.empty() ? "" : "table:" + fault;
   }

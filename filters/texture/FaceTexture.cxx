@@ -7,6 +7,7 @@
 #include "BoundaryCurveData.h"
 #include "FilterProgress.h"
 #include "ImageFile.h"
+#include "InlineText.h"
 #include "PipelineErrors.h"
 #include "TextFileReader.h"
 #include "WarpMeshData.h"
@@ -55,6 +56,11 @@ std::string runWarp(vtkImageMeshWarpFilter* warp, const Progress& progress) {
   return complete ? "" : "the work was stopped";
 }
 
+/// For messages.
+std::string nameOfMesh(const std::string& fileOrText) {
+  return isInlineText(fileOrText) ? "mesh" : fileOrText;
+}
+
 std::string layoutOn(vtkPolyData* curves, FaceWarpLayout::Kind kind, FaceCurves& face, FaceWarpLayout& layout) {
   const std::string fault = readFaceCurves(curves, face);
   return fault.empty() ? layout.set(kind, face) : fault;
@@ -66,16 +72,17 @@ std::string meshBeside(const std::string& imageFile) {
   return std::filesystem::path(imageFile).replace_extension(".csv").string();
 }
 
-std::string readSourceMesh(const std::string& file, WarpMesh& mesh) {
-  std::string text;
-  std::string fault = readTextFile(file, largestPlacesText, text, "warp mesh");
-  if (!fault.empty()) return file + ":" + fault;
+std::string readSourceMesh(const std::string& fileOrText, WarpMesh& mesh) {
+  const bool isText = isInlineText(fileOrText);
+  std::string text, fault;
+  if (!isText) fault = readTextFile(fileOrText, largestPlacesText, text, "warp mesh");
   WarpMesh read;
-  fault = parseWarpMesh(text, read);
-  if (!fault.empty()) return file + ":" + fault;
+  if (fault.empty()) fault = parseWarpMesh(isText ? fileOrText : text, read);
+  if (!fault.empty()) return nameOfMesh(fileOrText) + ":" + fault;
   FaceWarpLayout::Kind kind{};
   if (!FaceWarpLayout::kindOf(read, kind))
-    return file + ": a mesh of " + std::to_string(read.rows()) + " x " + std::to_string(read.columns()) +
+    return nameOfMesh(fileOrText) + ": a mesh of " + std::to_string(read.rows()) + " x " +
+           std::to_string(read.columns()) +
            " points has no places on the face; give one of 7 x 7, or one made by mien texture";
   mesh = std::move(read);
   return {};
@@ -130,16 +137,16 @@ std::string warpFaceTexture(vtkImageData* photograph, const WarpMesh& source, vt
 
 std::string makeFaceTexture(const FaceState& state, vtkPolyData* curves, vtkImageData* texture) {
   vtkNew<vtkImageData> photograph;
-  const std::string meshFile = state.textureMesh.empty() ? meshBeside(state.texture) : state.textureMesh;
+  const std::string mesh = state.textureMesh.empty() ? meshBeside(state.texture) : state.textureMesh;
   WarpMesh source;
   std::string fault = readImageFile(state.texture, photograph);
-  if (fault.empty()) fault = readSourceMesh(meshFile, source);
+  if (fault.empty()) fault = readSourceMesh(mesh, source);
   if (!fault.empty()) return fault;
   FaceCurves face;
   fault = readFaceCurves(curves, face);
   if (!fault.empty()) return (state.curvesFile.empty() ? "the generic face" : state.curvesFile) + ": " + fault;
   fault = warpFaceTexture(photograph, source, curves, faceTextureWidth, faceTextureHeight, {}, texture);
-  return fault.empty() ? fault : meshFile + ": " + fault;
+  return fault.empty() ? fault : nameOfMesh(mesh) + ": " + fault;
 }
 
 std::string reduceImage(vtkImageData* image, int largestSide, const Progress& progress, vtkImageData* reduced) {

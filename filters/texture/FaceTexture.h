@@ -29,9 +29,9 @@ MIENTEXTURE_EXPORT std::string makeFaceTexture(const FaceState& state, vtkPolyDa
 MIENTEXTURE_EXPORT std::string warpFaceTexture(vtkImageData* photograph, const WarpMesh& source, vtkPolyData* curves,
                                                int width, int height, const Progress& progress, vtkImageData* texture);
 
-/// The mesh of a file, if it is one that has places on the face.
-/// @return nothing, or `FILE:LINE: what is wrong and what to do`
-MIENTEXTURE_EXPORT std::string readSourceMesh(const std::string& file, WarpMesh& mesh);
+/// The mesh of a file, or of a text (InlineText.h), if it is one that has places on the face.
+/// @return nothing, or `FILE:LINE: what is wrong and what to do`; of a text `mesh:LINE: ...`
+MIENTEXTURE_EXPORT std::string readSourceMesh(const std::string& fileOrText, WarpMesh& mesh);
 
 /// A mesh for a photograph of `width` x `height` pixels from a list of its landmarks, see ImageLandmarks.h.
 /// @return nothing, or `FILE:LINE: what is wrong and what to do`

@@ -58,6 +58,7 @@ std::vector<Change> changes() {
 std::vector<Change> changesOfFiles(const TemporaryFolder& folder) {
   using Choice = FaceState::FrameChoice;
   const std::string demo = MIEN_DATA_DIR "/animation/demo.fap", painted = MIEN_DATA_DIR "/textures/painted.png";
+  const std::string mesh = MIEN_DATA_DIR "/textures/painted_7x7.csv";
   const std::string face = folder.file("it's a face.vtp"), table = folder.file("my table.json");
   writeChangedFace([](auto&) {}, face);
   writeTextFile(table, readTextFile(MIEN_DATA_DIR "/animation/animation_table.json"));
@@ -70,7 +71,8 @@ std::vector<Change> changesOfFiles(const TemporaryFolder& folder) {
           [=](FaceState& s) { s.fapFile = demo, s.frame = 3, s.interpolateFrames = true; },
           [=](FaceState& s) { s.animationTable = table; },
           [=](FaceState& s) { s.texture = painted; },
-          [=](FaceState& s) { s.texture = painted, s.textureMesh = MIEN_DATA_DIR "/textures/painted_7x7.csv"; }};
+          [=](FaceState& s) { s.texture = painted, s.textureMesh = mesh; },
+          [=](FaceState& s) { s.texture = painted, s.textureMesh = readTextFile(mesh); }};
 }
 
 TEST(CopiedCommand, OfEveryStateDrawsThatState) {

@@ -28,11 +28,13 @@ TEST(FaceArguments, SayWhatDiffersFromTheStart) {
 }
 
 TEST(FaceArguments, OfWhatNoOptionSaysAreTheWholeState) {
-  FaceState edited, fitted, listed;
+  FaceState edited, fitted, listed, moved;
   edited.edits = {mien::CurveEdit()};
   fitted.deformation.table = "region,a1\n1,2\n";
   listed.deformation.table = "joy:0.5,fear:0.5";
-  for (const FaceState& state : {edited, fitted, listed})
+  moved.texture = "anna.png";
+  moved.textureMesh = "mien_warp_mesh,1,4,4\nrow,column,x,y\n";
+  for (const FaceState& state : {edited, fitted, listed, moved})
     EXPECT_EQ(mien::faceArguments(state), (Words{"--state", mien::writeFaceState(state)}));
 }
 

@@ -48,6 +48,7 @@ const std::vector<Change> changes = {
     [](FaceState& s) { s.deformation.smooth = false; },
     [](FaceState& s) { s.texture = "Bild ä.png"; },
     [](FaceState& s) { s.textureMesh = "a mesh.csv"; },
+    [](FaceState& s) { s.textureMesh = "mien_warp_mesh,1,4,4\nrow,column,x,y\n"; },
 };
 
 std::string faultOf(const Change& change, int pointsPerCurve = 40) {

@@ -256,6 +256,13 @@ TEST(FaceTexture, SaysWhichFileIsWrong) {
   state.textureMesh = folder.file("other.csv");
   EXPECT_EQ(fault(), "");
   EXPECT_EQ(texture->GetNumberOfScalarComponents(), 3) << "grey becomes red, green and blue";
+  state.textureMesh = writeWarpMesh(evenMesh(7, 7, 64, 48));
+  EXPECT_EQ(fault(), "") << "the text of a mesh";
+  state.textureMesh = writeWarpMesh(evenMesh(3, 5, 64, 48));
+  EXPECT_EQ(fault().rfind("mesh: a mesh of 3 x 5", 0), 0u) << fault();
+  state.textureMesh = "mien_warp_mesh,1,64,48\nrow,column,x\n";
+  EXPECT_EQ(fault().rfind("mesh:2: ", 0), 0u) << fault();
+  state.textureMesh = folder.file("other.csv");
   vtkNew<vtkPolyData> noCurves;
   EXPECT_EQ(makeFaceTexture(state, noCurves, texture).rfind("the generic face: ", 0), 0u);
   state.curvesFile = "anna.vtp";

@@ -4,10 +4,24 @@
 
 #include "FaceState.h"
 #include "FaceStateText.h"
+#include "InlineText.h"
 #include "Require.h"
 #include "SessionText.h"
+#include "WarpMeshText.h"
 
 using namespace mien;
+
+namespace {
+
+/// A mesh over a photograph that was not saved as a file is part of the state.
+void checkMesh(const std::string& text) {
+  WarpMesh mesh, again;
+  if (!isInlineText(text) || !parseWarpMesh(text, mesh).empty()) return;
+  require(mesh.x.allFinite() && mesh.y.allFinite());
+  require(parseWarpMesh(writeWarpMesh(mesh), again).empty() && again == mesh);
+}
+
+}  // namespace
 
 /// What is read can be written and read again, and every session leads to every other.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -23,6 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (session.contains("face")) {
     FaceState state;
     readFaceState(session["face"].dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), state);
+    checkMesh(state.textureMesh);
   }
   return 0;
 }

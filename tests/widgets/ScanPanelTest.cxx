@@ -27,6 +27,7 @@
 #include "FaceView.h"
 #include "ReferenceData.h"
 #include "ScanPanel.h"
+#include "SessionDocument.h"
 #include "StudioFixture.h"
 #include "ViewArea.h"
 
@@ -46,6 +47,17 @@ class ScanPanel : public StudioFixture {
   void openSubject() {
     panel->openLandmarks(QString::fromStdString(referencePath("heads/landmarks68.csv")));
     panel->open(QString::fromStdString(referencePath("heads/subject01_neutral.ply")));
+  }
+
+  /// As .obj, with more of its lines behind.
+  static void writeScan(const DenseFace& scan, const QString& name, const char* more = "") {
+    QFile file(name);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Text));
+    QTextStream text(&file);
+    for (const auto& p : scan.mesh.vertices.rowwise()) text << "v " << p[0] << " " << p[1] << " " << p[2] << "\n";
+    for (const auto& t : scan.mesh.triangles.rowwise())
+      text << "f " << t[0] + 1 << " " << t[1] + 1 << " " << t[2] + 1 << "\n";
+    text << more;
   }
 
   mien::ScanPanel* panel = nullptr;
@@ -96,6 +108,25 @@ TEST_F(ScanPanel, AScanIsMeasuredAdoptedAndCompared) {
   EXPECT_TRUE(waitUntil([&] {
     return !report().contains("shown face to scan", Qt::CaseInsensitive) && !report().contains("Scan to shown");
   }));
+}
+
+/// Told by the curves: a session knows no more than the file that is the face.
+TEST_F(ScanPanel, AfterTheSessionIsReopenedTheCurvesAreStillTheShownFace) {
+  QTemporaryDir folder;
+  const QString session = folder.filePath("anna.mien-session.json"), scan = folder.filePath("anna.obj");
+  writeScan(DenseFace(110, 111), scan);
+  panel->open(scan);
+  ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
+  ASSERT_TRUE(panel->adopt(folder.filePath("anna.vtp")));
+  ASSERT_TRUE(window->document().save(session));
+  window = std::make_unique<mien::StudioWindow>();
+  window->show();
+  panel = find<mien::ScanPanel>("scanPanel");
+  ASSERT_TRUE(window->document().open(session)) << message().toStdString();
+  ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest));
+  EXPECT_TRUE(report().contains("anna.obj, which are the shown face:")) << report().toStdString();
+  window->model().openCurves(QString());
+  EXPECT_TRUE(report().contains("anna.obj, not adopted yet:")) << report().toStdString();
 }
 
 /// The dock scrolls, and nothing in it.
@@ -176,18 +207,10 @@ TEST_F(ScanPanel, WhatIsDoubtfulAboutAScanIsToldInWordsAndSeenWhole) {
   DenseFace scan(110, 111);
   scan.mesh.vertices.col(0) *= -1.0;
   QTemporaryDir folder;
-  QFile file(folder.filePath("mirrored.obj"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Text));
-  QTextStream text(&file);
-  for (const auto& p : scan.mesh.vertices.rowwise()) text << "v " << p[0] << " " << p[1] << " " << p[2] << "\n";
-  text << "v -600 -180 -600\nv 600 -180 -600\nv 600 -180 600\nv -600 -180 600\n";
-  for (const auto& t : scan.mesh.triangles.rowwise())
-    text << "f " << t[0] + 1 << " " << t[1] + 1 << " " << t[2] + 1 << "\n";
-  text << "f -4 -1 -2\nf -4 -2 -3\n";
-  text.flush();
-  file.close();
+  const QString name = folder.filePath("mirrored.obj");
+  writeScan(scan, name, "v -600 -180 -600\nv 600 -180 -600\nv 600 -180 600\nv -600 -180 600\nf -4 -1 -2\nf -4 -2 -3\n");
   find<QAction>("actionWorkspace4")->trigger();
-  panel->open(file.fileName());
+  panel->open(name);
   ASSERT_TRUE(waitUntil([&] { return panel->hasScan(); }, longest)) << message().toStdString();
   EXPECT_TRUE(report().contains("\u00b0; its faces wind inwards: it may be mirrored\n")) << report().toStdString();
   EXPECT_TRUE(report().contains("RMS off; on part 2 of 2, larger ones left out\n")) << report().toStdString();

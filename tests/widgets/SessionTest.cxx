@@ -309,6 +309,7 @@ TEST_F(Session, OfADamagedFileSaysWhatIsWrongAndKeepsTheWindow) {
   const std::string before = state();
   const json widgets = settings();
   const std::map<QString, const char*> said = {
+      {"face_mesh_folded", "mesh:6: "},
       {"face_missing", "'face' is missing"},
       {"face_number", "face state"},
       {"face_unknown_member", "nose"},

@@ -2,17 +2,15 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <QToolButton>
 #include <QUrl>
 
@@ -175,7 +173,7 @@ TEST_F(TexturePanel, APhotographWithoutAMeshGetsOneToBeMoved) {
   EXPECT_TRUE(message().contains("anna.png has no mesh")) << message().toStdString();
   EXPECT_EQ(stored().rows(), 7);
   EXPECT_GT(stored().x.minCoeff(), 0.0);
-  const auto isToldUnsaved = [&] { return find<QLabel>("textureStatus")->text().contains("not saved"); };
+  const auto isToldUnsaved = [&] { return find<QLabel>("textureStatus")->text().contains("in no file"); };
   EXPECT_TRUE(isToldUnsaved());
   EXPECT_TRUE(panel->save(folder.filePath("anna.csv")));
   EXPECT_EQ(meshFile(), folder.filePath("anna.csv"));
@@ -192,28 +190,31 @@ TEST_F(TexturePanel, APhotographWithoutAMeshGetsOneToBeMoved) {
   EXPECT_TRUE(message().contains("there_is_no_folder"));
 }
 
-TEST_F(TexturePanel, ClosingAsksWhatBecomesOfAMovedMesh) {
+/// As when another colouring is chosen: what is ticked is what is seen.
+TEST_F(TexturePanel, ColoursOfADockGiveWayToAPhotograph) {
+  const auto colours = [this] { return find<QComboBox>("colorBy")->currentText(); };
+  find<QAction>("continuityDockAction")->trigger();
+  auto* map = find<QComboBox>("continuityFace");
+  map->setCurrentIndex(2);
+  settle();
+  ASSERT_TRUE(colours().contains("Continuity dock")) << colours().toStdString();
+  find<QAction>("textureDockAction")->trigger();
   openPainted();
-  EXPECT_TRUE(panel->mayClose()) << "nothing was moved";
-  drag(nose, {6, 4});
-  int asked = 0;
-  const auto answerOnceWith = [&](QMessageBox::StandardButton button) {
-    QTimer::singleShot(0, window.get(), [&asked, button] {
-      auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-      ASSERT_NE(box, nullptr);
-      ++asked;
-      box->button(button)->click();
-    });
-  };
-  answerOnceWith(QMessageBox::Cancel);
-  EXPECT_FALSE(window->close());
-  EXPECT_TRUE(window->isVisible());
-  EXPECT_TRUE(panel->save(folder.filePath("moved.csv")));
-  EXPECT_TRUE(panel->mayClose()) << "saved";
-  drag(nose, {-3, 0});
-  answerOnceWith(QMessageBox::Discard);
-  EXPECT_TRUE(window->close());
-  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(colours(), "Photograph");
+  EXPECT_EQ(map->currentIndex(), 0);
+  auto* on = find<QCheckBox>("textureOn");
+  on->setChecked(false);
+  map->setCurrentIndex(2);
+  settle();
+  on->setChecked(true);
+  EXPECT_TRUE(waitUntil([&] { return colours() == "Photograph"; })) << colours().toStdString();
+}
+
+TEST_F(TexturePanel, ColoursStayWhenThePhotographCannotBeRead) {
+  find<QComboBox>("colorBy")->setCurrentText("Patches");
+  panel->open(folder.filePath("no.png"));
+  ASSERT_TRUE(waitUntil([&] { return message().contains("no.png"); }));
+  EXPECT_EQ(find<QComboBox>("colorBy")->currentText(), "Patches");
 }
 
 TEST_F(TexturePanel, LandmarksGiveTheMeshCoarseOrFine) {

@@ -21,6 +21,7 @@
 
 #include "Acquire.h"
 #include "BackgroundTask.h"
+#include "BoundaryCurveData.h"
 #include "CurveFile.h"
 #include "FaceModel.h"
 #include "FaceView.h"
@@ -29,7 +30,9 @@
 #include "LengthUnit.h"
 #include "OverflowRow.h"
 #include "RangeBox.h"
+#include "SameCurves.h"
 #include "ScanReportView.h"
+#include "vtkBoundaryCurveReader.h"
 
 namespace mien {
 
@@ -148,7 +151,7 @@ void ScanPanel::connectButtons() {
   connect(cancel_, &QToolButton::clicked, task_, &BackgroundTask::cancel);
   connect(task_, &BackgroundTask::progressed, progress_, &QProgressBar::setValue);
   connect(task_, &BackgroundTask::runningChanged, this, &ScanPanel::showReport);
-  connect(model_, &FaceModel::stateChanged, this, &ScanPanel::showReport);  // other curves may be shown now
+  connect(model_, &FaceModel::updated, this, &ScanPanel::showReport);  // other curves may be shown now
 }
 
 void ScanPanel::connectMap() {
@@ -287,7 +290,6 @@ void ScanPanel::take(const Found& found) {
     return;
   }
   curves_ = found.scan.curves;
-  adopted_.clear();
   scan_ = found.scan.scan;
   found_ = scanReportLines(found.scan.result);
   map_->setScan(scan_);
@@ -306,17 +308,22 @@ bool ScanPanel::adopt(const QString& fileName) {
     return false;
   }
   if (!model_->openCurves(fileName)) return false;
-  adopted_ = fileName;
-  showReport();
   emit model_->remarked(tr("%1 was written and is the face now.").arg(QFileInfo(fileName).fileName()), fileName);
   return true;
 }
 
+/// Told by the curves themselves: so it holds after a session is opened or a step undone, too.
+bool ScanPanel::isAdopted() const {
+  FaceCurves measured, shown;
+  return readFaceCurves(curves_, measured).empty() &&
+         readFaceCurves(model_->pipeline().neutralCurves()->GetOutput(), shown).empty() &&
+         areSameCurves(measured.curves, shown.curves);
+}
+
 /// Distances of the shown face stand above it: whose these are has to be said.
 void ScanPanel::addReport() {
-  const bool isShown = !adopted_.isEmpty() && model_->state().curvesFile == adopted_.toStdString();
-  const QString heading = isShown ? tr("Curves measured from %1, which are the shown face:")
-                                  : tr("Curves measured from %1, not adopted yet:");
+  const QString heading = isAdopted() ? tr("Curves measured from %1, which are the shown face:")
+                                      : tr("Curves measured from %1, not adopted yet:");
   report_->addLine(heading.arg(QFileInfo(file_).fileName()), file_);
   report_->addLines(found_);
 }

@@ -69,6 +69,7 @@ class ScanPanel : public QWidget, public SessionPart {
   void addReport();
   void showReport();
   void showScan();
+  bool isAdopted() const;  ///< whether the shown face is the measured curves
   bool isHiddenByColors() const;
   void tellVisible();
   void followOverlay(const QObject* overlay);
@@ -86,7 +87,7 @@ class ScanPanel : public QWidget, public SessionPart {
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> curves_, scan_;
   std::vector<ScanReportLine> found_;
-  QString file_, landmarkFile_, adopted_;
+  QString file_, landmarkFile_;
   bool colored_ = false;  ///< whether colours on the face mean something
   QString framed_;        ///< the scan that the camera has been moved back for
 };

@@ -6,7 +6,6 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QSignalBlocker>
@@ -270,21 +269,12 @@ void TexturePanel::showPhotograph() {
   showChosen();
 }
 
-bool TexturePanel::mayClose() {
-  if (!isUnsaved() || !photograph_->canUndo()) return true;
-  const QMessageBox::StandardButton answer = QMessageBox::question(
-      window(), tr("Mesh not saved"), tr("The mesh over the photograph was moved and is not saved. Save it?"),
-      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
-  if (answer == QMessageBox::Save) chooseSaved();
-  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && !isUnsaved());
-}
-
 bool TexturePanel::isUnsaved() const {
   return photograph_->isOpen() && photograph_->isOn() && !photograph_->isSaved();
 }
 
 QString TexturePanel::unsavedText() const {
-  return isUnsaved() ? tr("The mesh is not saved: without Save mesh it is gone with this session.") : QString();
+  return isUnsaved() ? tr("The mesh is in no file; the session keeps it.") : QString();
 }
 
 void TexturePanel::showChosen() {

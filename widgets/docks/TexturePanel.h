@@ -28,9 +28,6 @@ class TexturePanel : public QWidget {
   bool save(const QString& fileName);
   QString fileName() const;  ///< of the photograph that is shown; empty without
 
-  /// Asks, before the window closes, what becomes of a mesh that was moved and not saved. @return whether to close
-  bool mayClose();
-
  signals:
   void opened();  ///< another photograph is shown, or none, or the one before stays
 

@@ -14,6 +14,7 @@
 #include "FaceView.h"
 #include "ImageFile.h"
 #include "ImagePicture.h"
+#include "InlineText.h"
 #include "WarpMeshText.h"
 #include "WholeFile.h"
 
@@ -97,10 +98,17 @@ const QImage& FacePhotograph::picture() const {
 }
 
 void FacePhotograph::open(const QString& image, const QString& mesh) {
+  uncovers_ = !image.isEmpty();
   model_->change([&](FaceState& state) {
     state.texture = image.toStdString();
     state.textureMesh = mesh.toStdString();
   });
+  if (!reading_) uncover();
+}
+
+/// Only what the user has opened: a session has its own colours, and undo those of the step.
+void FacePhotograph::uncover() {
+  if (std::exchange(uncovers_, false)) view_->showOverlay(nullptr, true);
 }
 
 bool FacePhotograph::isOn() const {
@@ -152,11 +160,12 @@ void FacePhotograph::accept(const Names& names, const std::shared_ptr<Photograph
   reading_ = false;
   if (names.image != good_.image) landmarks_.clear();
   good_ = names;
+  uncover();
   photograph_ = photograph;
   mesh_ = mesh;
   const bool started = names.mesh.empty() && !std::filesystem::exists(meshBeside(names.image));
-  if (started) keep(folder_.filePath(QString("mesh-%1.csv").arg(++kept_)));
   steps_ = {{mesh_, good_.mesh}};
+  if (started) name(writeWarpMesh(mesh_));
   emit opened();
   emit meshChanged();
   warp(false);
@@ -176,7 +185,7 @@ void FacePhotograph::refuse(const std::string& fault) {
 }
 
 void FacePhotograph::takeBack() {
-  reading_ = false;
+  reading_ = uncovers_ = false;
   waiting_.clear();
   asked_.image = good_.image;
   asked_.mesh = good_.mesh;
@@ -206,9 +215,7 @@ void FacePhotograph::openMesh(const QString& file) {
   if (!fault.empty()) return model_->failed(QString::fromStdString(fault), tr("The mesh is as it was before."));
   landmarks_ = landmarks ? file : QString();
   mesh_ = scaledMesh(mesh, size[0], size[1]);
-  landmarks ? finishMove() : takeMesh(mesh_);
-  if (!landmarks) name(file.toStdString());
-  emit meshChanged();
+  landmarks ? finishMove() : takeMesh(mesh_, file.toStdString());
 }
 
 void FacePhotograph::setFine(bool fine) {
@@ -227,37 +234,31 @@ QString FacePhotograph::move(MeshNode node, double x, double y, bool mirrored) {
 
 void FacePhotograph::finishMove() {
   if (steps_.empty() || mesh_ == steps_.back().first) return;
-  if (!keep(folder_.filePath(QString("mesh-%1.csv").arg(++kept_)))) return;
-  takeMesh(mesh_);
+  takeMesh(mesh_, writeWarpMesh(mesh_));
 }
 
-void FacePhotograph::takeMesh(const WarpMesh& mesh) {
+void FacePhotograph::takeMesh(const WarpMesh& mesh, const std::string& named) {
   mesh_ = mesh;
-  steps_.emplace_back(mesh_, good_.mesh);
+  steps_.emplace_back(mesh_, named);
+  name(named);
   emit meshChanged();
   warp(false);
 }
 
-/// The state names another file for the mesh that is already shown.
+/// How the state names the mesh that is already shown: as a file, or by its text.
 void FacePhotograph::name(const std::string& mesh) {
   asked_.mesh = good_.mesh = mesh;
   if (!steps_.empty()) steps_.back().second = mesh;
   model_->change([&](FaceState& state) { state.textureMesh = mesh; });
 }
 
-bool FacePhotograph::keep(const QString& fileName) {
+bool FacePhotograph::save(const QString& fileName) {
+  if (!photograph_) return false;
   const std::string fault = WholeFile::write(fileName.toStdString(), writeWarpMesh(mesh_));
   if (!fault.empty()) {
     emit model_->failed(fileName + ": " + QString::fromStdString(fault), QString());
     return false;
   }
-  asked_.mesh = good_.mesh = fileName.toStdString();
-  model_->change([&](FaceState& state) { state.textureMesh = good_.mesh; });
-  return true;
-}
-
-bool FacePhotograph::save(const QString& fileName) {
-  if (!photograph_ || !keep(fileName)) return false;
   name(fileName.toStdString());
   emit meshChanged();
   emit model_->remarked(tr("%1 was written.").arg(QFileInfo(fileName).fileName()), fileName);
@@ -265,7 +266,7 @@ bool FacePhotograph::save(const QString& fileName) {
 }
 
 bool FacePhotograph::isSaved() const {
-  return !QString::fromStdString(good_.mesh).startsWith(folder_.path());
+  return !isInlineText(good_.mesh);
 }
 
 void FacePhotograph::undo() {
@@ -273,10 +274,7 @@ void FacePhotograph::undo() {
   steps_.pop_back();
   const Step step = steps_.back();
   steps_.pop_back();
-  mesh_ = step.first;
-  good_.mesh = step.second;
-  takeMesh(mesh_);
-  name(step.second);
+  takeMesh(step.first, step.second);
 }
 
 void FacePhotograph::reset() {

@@ -6,7 +6,6 @@
 #include <QImage>
 #include <QObject>
 #include <QString>
-#include <QTemporaryDir>
 #include <memory>
 #include <string>
 #include <utility>
@@ -25,14 +24,15 @@ class FaceView;
 
 /// The photograph on the face: follows FaceState's texture, textureMesh and curvesFile, reads and warps off the GUI
 /// thread, first small, then whole, and dresses the face with the result. Its mesh can be moved by hand; what is moved
-/// is kept as a file of this session, so that the state always says what is seen.
+/// the state holds as text until it is saved as a file, so that it always says what is seen, wherever it goes.
 class FacePhotograph : public QObject {
   Q_OBJECT
  public:
   FacePhotograph(FaceModel* model, FaceView* view, QObject* parent);
   ~FacePhotograph() override;
 
-  /// Puts a photograph on the face; without a mesh the one beside it, else a starting mesh to be moved by hand.
+  /// Puts a photograph on the face; without a mesh the one beside it, else a starting mesh to be moved by hand. Colours
+  /// on the face give way to it.
   void open(const QString& image, const QString& mesh = {});
   void openMesh(const QString& file);  ///< a warp mesh, or the photograph's landmarks
   void setFine(bool fine);             ///< whether landmarks give 19 x 21 points instead of 7 x 7
@@ -54,7 +54,7 @@ class FacePhotograph : public QObject {
   bool canUndo() const { return steps_.size() > 1; }
   bool save(const QString& fileName);  ///< as .csv, which the state names from then on; the message bar says what is
                                        ///< wrong. @return whether it was written
-  bool isSaved() const;                ///< whether the mesh lies in a file that outlasts the session
+  bool isSaved() const;                ///< whether the mesh lies in a file; else the state holds it
   void cancel();  ///< what is being read is read to its end and then forgotten; a warp ends at once
 
  signals:
@@ -73,18 +73,18 @@ class FacePhotograph : public QObject {
       return image == other.image && mesh == other.mesh && curves == other.curves;
     }
   };
-  using Step = std::pair<WarpMesh, std::string>;  ///< a mesh and its file
+  using Step = std::pair<WarpMesh, std::string>;  ///< a mesh, and how the state names it
 
   Names named() const;
   vtkSmartPointer<vtkPolyData> curves() const;
   void follow();
+  void uncover();
   void read();
   void accept(const Names& names, const std::shared_ptr<Photograph>& photograph, const WarpMesh& mesh);
   void refuse(const std::string& fault);
   void takeBack();
   void name(const std::string& mesh);
-  void takeMesh(const WarpMesh& mesh);
-  bool keep(const QString& fileName);
+  void takeMesh(const WarpMesh& mesh, const std::string& named);
   void warp(bool whole);
   void dress(vtkImageData* texture, bool whole);
   void refuseMesh(const std::string& fault);
@@ -98,11 +98,10 @@ class FacePhotograph : public QObject {
   WarpMesh mesh_;
   std::vector<Step> steps_;
   QImage warped_;
-  QTemporaryDir folder_;
   QString landmarks_;
   QString waiting_;  ///< a mesh for the photograph that is being read
-  int kept_ = 0;
   bool fine_ = false, reading_ = false, warpsWhole_ = false;
+  bool uncovers_ = false;  ///< whether what is being read is to be seen instead of colours
 };
 
 }  // namespace mien

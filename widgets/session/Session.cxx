@@ -7,7 +7,10 @@
 
 #include "FaceModel.h"
 #include "FaceStateJson.h"
+#include "FaceTexture.h"
+#include "InlineText.h"
 #include "RenderView.h"
+#include "WarpMesh.h"
 #include "WidgetSettings.h"
 
 namespace mien {
@@ -31,7 +34,7 @@ QByteArray decoded(const json& object, const char* name) {
 
 /// Not under that name any more.
 bool isGone(const std::string& file) {
-  return !file.empty() && file != "-" && !QFileInfo::exists(QString::fromStdString(file));
+  return !file.empty() && file != "-" && !isInlineText(file) && !QFileInfo::exists(QString::fromStdString(file));
 }
 
 /// Leaves out files that are gone.
@@ -44,6 +47,12 @@ void leaveOutMissing(FaceState& state) {
   if (table.find('/') != std::string::npos && isGone(table)) state.deformation = {};
   if (state.texture.empty()) state.textureMesh.clear();
   if (state.fapFile.empty()) state.frame = 0.0;
+}
+
+/// Of a mesh that the state holds itself; files are read when the photograph is, off the GUI thread.
+std::string faultOfMesh(const FaceState& state) {
+  WarpMesh mesh;
+  return isInlineText(state.textureMesh) ? readSourceMesh(state.textureMesh, mesh) : std::string();
 }
 
 }  // namespace
@@ -114,6 +123,7 @@ QString Session::restore(const json& session) {
   if (face == session.end()) return tr("the member 'face' is missing");
   const QString unread = QString::fromStdString(readFaceState(*face, state));
   if (!unread.isEmpty()) return unread;
+  if (const std::string fault = faultOfMesh(state); !fault.empty()) return QString::fromStdString(fault);
   leaveOutMissing(state);
   const QString fault = show(state);
   if (!fault.isEmpty()) return fault;

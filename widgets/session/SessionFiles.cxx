@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "InlineText.h"
+
 namespace mien {
 
 namespace {
@@ -24,11 +26,13 @@ bool isWithin(const char* member, const Pointer& place) {
   return place.to_string().rfind(member, 0) == 0;
 }
 
-/// Tables that come with Mien have names that are no files. Elsewhere, as in the window's places, there are none, and
-/// what a hand has written there has no room in a session of ours.
+/// Tables that come with Mien have names that are no files, and a table or mesh that was never saved is there itself.
+/// Elsewhere, as in the window's places, there are none, and what a hand has written there has no room in a session of
+/// ours.
 bool namesFile(const Pointer& place, const json& value) {
   if (!value.is_string() || value == "" || std::find(members.begin(), members.end(), place.back()) == members.end())
     return false;
+  if (isInlineText(value.get_ref<const std::string&>())) return false;
   if (!isWithin("/face/", place) && !isWithin("/docks/", place)) return false;
   return place.back() != "table" || value.get<std::string>().find('/') != std::string::npos;
 }

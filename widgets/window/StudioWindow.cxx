@@ -36,7 +36,6 @@
 #include "SessionDocument.h"
 #include "SessionKeeper.h"
 #include "SurfacePanel.h"
-#include "TexturePanel.h"
 #include "TimelinePanel.h"
 #include "ViewArea.h"
 #include "ViewMenu.h"
@@ -272,8 +271,6 @@ void StudioWindow::dropEvent(QDropEvent* event) {
 }
 
 void StudioWindow::closeEvent(QCloseEvent* event) {
-  auto* texture = findChild<TexturePanel*>();
-  if (texture && !texture->mayClose()) return event->ignore();
   player_->pause();
   if (!document().mayClose()) return event->ignore();
   WindowLayout::save(*this);

@@ -5,6 +5,7 @@
 
 #include "FaceState.h"
 #include "FaceStateText.h"
+#include "InlineText.h"
 #include "NumberText.h"
 
 namespace mien {
@@ -23,7 +24,8 @@ bool isOneName(const std::string& table) {
 bool needsWholeState(const FaceState& state) {
   const bool mixesFrames = state.interpolateFrames && state.frameChoice != Choice::Time;
   return !state.edits.empty() || (mixesFrames && !state.fapFile.empty()) || !isOneName(state.deformation.table) ||
-         state.texture.find(':') != std::string::npos || state.texture == "painted" || state.fapFile == "-";
+         state.texture.find(':') != std::string::npos || state.texture == "painted" ||
+         isInlineText(state.textureMesh) || state.fapFile == "-";
 }
 
 class Writer {

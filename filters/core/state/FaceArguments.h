@@ -35,8 +35,8 @@ constexpr const char* state = "--state";
 }  // namespace faceOption
 
 /// The options that give this state, its numbers to the bit; what has no effect, such as the strength of no table, is
-/// left out. Of a state that options cannot say, such as one with edits of curves or with a table that is no file, they
-/// are --state and its text form.
+/// left out. Of a state that options cannot say, such as one with edits of curves or with a table or a mesh that is no
+/// file, they are --state and its text form.
 std::vector<std::string> faceArguments(const FaceState& state);
 
 /// Arguments as a POSIX shell reads them back.

@@ -12,7 +12,7 @@ namespace mien {
 
 /// Which facial deformation table bends the surface, and how much [O].
 struct FaceDeformation {
-  std::string table;      ///< name of a table compiled in, or a .csv file; empty: none
+  std::string table;      ///< name of a table compiled in, a .csv file, or the text of one; empty: none
   double strength = 1.0;  ///< factor on its displacements, -2 .. 2
   bool smooth = true;     ///< regions blend into each other; else every point belongs to one, as in the paper
 
@@ -57,8 +57,10 @@ struct FaceState {
 
   FaceDeformation deformation;
 
-  std::string texture;      ///< photograph, .png .jpg .tif; empty: none
-  std::string textureMesh;  ///< .csv of the photograph's warp mesh; empty: beside the photograph under its name
+  std::string texture;  ///< photograph, .png .jpg .tif; empty: none
+
+  /// .csv of the photograph's warp mesh, or its text (InlineText.h); empty: beside the photograph under its name.
+  std::string textureMesh;
 
   bool operator==(const FaceState& other) const;
   bool operator!=(const FaceState& other) const { return !(*this == other); }

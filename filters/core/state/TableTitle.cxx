@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "InlineText.h"
+
 namespace mien {
 
-bool isInlineTable(const std::string& text) {
-  return text.find('\n') != std::string::npos;
-}
-
 std::string tableTitle(const std::string& text) {
-  if (!isInlineTable(text)) return text;
+  if (!isInlineText(text)) return text;
   const std::string comment = "# ";
   if (text.rfind(comment, 0) != 0) return "own table";
   return text.substr(comment.size(), std::min(text.find('\n'), text.find(':')) - comment.size());

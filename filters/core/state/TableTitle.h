@@ -4,10 +4,8 @@
 
 namespace mien {
 
-/// Whether a deformation table's text (FaceDeformation::table) is no name but the table itself: it has several lines.
-bool isInlineTable(const std::string& text);
-
-/// What to call it: names and weights as they are; of a table itself its first line, a comment, up to a colon.
+/// What to call a deformation table (FaceDeformation::table): names and weights as they are; of a table itself
+/// (InlineText.h) its first line, a comment, up to a colon.
 std::string tableTitle(const std::string& text);
 
 }  // namespace mien
