@@ -18,7 +18,7 @@
 
 namespace {
 
-const mien::MeshNode nose{3, 3};
+const mien::MeshNode noseNode{3, 3};
 
 /// A mesh over a photograph that was moved by hand and is in no file: sessions, undo and commands carry it.
 class TextureSession : public SessionFixture {
@@ -37,7 +37,7 @@ class TextureSession : public SessionFixture {
     });
   }
   void moveTheNose() {
-    drag(mesh(), mesh()->pixelOf(nose).toPoint(), {6, 4});
+    drag(mesh(), mesh()->pixelOf(noseNode).toPoint(), {6, 4});
     ASSERT_TRUE(waitForTexture());
     settle();
   }

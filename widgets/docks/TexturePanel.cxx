@@ -2,7 +2,6 @@
 
 #include <QCheckBox>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -19,6 +18,7 @@
 #include "FaceModel.h"
 #include "FacePhotograph.h"
 #include "FaceView.h"
+#include "FileDialog.h"
 #include "FlipBox.h"
 #include "FramedButton.h"
 #include "OverflowRow.h"
@@ -230,23 +230,19 @@ void TexturePanel::openPainted() {
 }
 
 void TexturePanel::chooseImage() {
-  open(QFileDialog::getOpenFileName(window(), tr("Open a photograph"), QString(),
-                                    tr("Photographs (*.png *.jpg *.jpeg *.tif *.tiff)")));
+  open(FileDialog::open(window(), tr("Open a photograph"), tr("Photographs (*.png *.jpg *.jpeg *.tif *.tiff)")));
 }
 
 void TexturePanel::chooseMesh() {
-  open(QFileDialog::getOpenFileName(window(), tr("Open a mesh or landmarks"), QString(),
-                                    tr("Warp mesh or landmarks (*.csv)")));
+  open(FileDialog::open(window(), tr("Open a mesh or landmarks"), tr("Warp mesh or landmarks (*.csv)")));
 }
 
 void TexturePanel::chooseSaved() {
   const QFileInfo photograph(photograph_->fileName());
-  QString name = QFileDialog::getSaveFileName(window(), tr("Save the mesh"),
-                                              photograph.path() + "/" + photograph.completeBaseName() + ".csv",
-                                              tr("Warp mesh (*.csv)"));
-  if (name.isEmpty()) return;
-  if (QFileInfo(name).suffix().isEmpty()) name += ".csv";
-  save(name);
+  const QString name =
+      FileDialog::save(window(), tr("Save the mesh"), photograph.path() + "/" + photograph.completeBaseName() + ".csv",
+                       tr("Warp mesh (*.csv)"), ".csv");
+  if (!name.isEmpty()) save(name);
 }
 
 bool TexturePanel::save(const QString& fileName) {
