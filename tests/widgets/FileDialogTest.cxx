@@ -26,4 +26,15 @@ TEST_F(FileDialogs, BeginWhereAFileWasOpenedOrSavedLast) {
   EXPECT_EQ(mien::FileDialog::beside("joy.svg"), "joy.svg") << "a folder that is gone";
 }
 
+TEST_F(FileDialogs, WhatIsNotThereOrAFolderIsSaidSoWhateverItsEnding) {
+  QTemporaryDir folder;
+  for (const char* name : {"nothere.ply", "nothere.fap", "nothere.json"}) {
+    EXPECT_FALSE(window->openFile(folder.filePath(name)));
+    EXPECT_EQ(message(), QString("There is no file %1; it was moved, or has another name.").arg(name));
+  }
+  ASSERT_TRUE(QDir(folder.path()).mkdir("dir.ply"));
+  EXPECT_FALSE(window->openFile(folder.filePath("dir.ply")));
+  EXPECT_EQ(message(), QString("dir.ply is a folder; open a file in it."));
+}
+
 }  // namespace

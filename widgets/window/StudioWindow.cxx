@@ -184,7 +184,15 @@ void StudioWindow::addFaceMenu() {
 
 /// Sessions and copied commands name what is open, and are used from other folders.
 bool StudioWindow::openFile(const QString& name) {
-  const QString fileName = QFileInfo(name).absoluteFilePath();
+  const QFileInfo file(name);
+  const QString fileName = file.absoluteFilePath();
+  if (!file.exists() || file.isDir()) {
+    messages_->showError(file.isDir()
+                             ? tr("%1 is a folder; open a file in it.").arg(file.fileName())
+                             : tr("There is no file %1; it was moved, or has another name.").arg(file.fileName()),
+                         fileName);
+    return false;
+  }
   const size_t said = messages_->log().size();
   const bool good = openAs(fileKind(fileName), fileName);
   if (good) keeper_->recent()->add(fileName);
