@@ -1,28 +1,20 @@
 #include "FigureInfo.h"
 
-#include <algorithm>
-
 #include "Failure.h"
-#include "FigureFile.h"
 #include "FigureMetadata.h"
+#include "FigureOptions.h"
 #include "InfoText.h"
 #include "OutputFile.h"
 
 namespace mien {
 
-namespace {
-
 using json = nlohmann::ordered_json;
 
-}  // namespace
-
 json describeFigureFile(const std::string& file) {
-  const std::string ending = fileEnding(file);
-  const std::vector<std::string>& known = FigureFile::endings();
-  if (std::find(known.begin(), known.end(), ending) == known.end()) return nullptr;
+  if (!FigureOptions::isFigure(file)) return nullptr;
   FigureMetadata figure;
   const std::string fault = figure.read(file);
-  if (!fault.empty() && ending == "png") return nullptr;  // a photograph
+  if (!fault.empty() && fileEnding(file) == "png") return nullptr;  // a photograph
   if (!fault.empty()) throw FileFailure(fault);
   json about = {{"file", file}, {"title", figure.title}, {"command", figure.command()}};
   about["state"] = json::parse(figure.state(), nullptr, false);

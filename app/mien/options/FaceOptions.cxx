@@ -1,7 +1,6 @@
 #include "FaceOptions.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <tuple>
 
@@ -12,8 +11,8 @@
 #include "FaceScheme.h"
 #include "FaceStateText.h"
 #include "Failure.h"
-#include "FigureFile.h"
 #include "FigureMetadata.h"
+#include "FigureOptions.h"
 #include "MovementText.h"
 #include "OutputFile.h"
 #include "SessionText.h"
@@ -30,6 +29,16 @@ std::string schemeHelp() {
   std::string names;
   for (const FaceScheme& scheme : faceSchemes()) names += (names.empty() ? "" : ", ") + scheme.name;
   return "How patches are closed: " + names + " [" + FaceState().surface.scheme + "]";
+}
+
+/// Of a .json file, or of a figure that carries one.
+std::string readStateText(const std::string& file, std::string& text) {
+  if (!FigureOptions::isFigure(file)) return readTextFile(file, largestSessionText, text, "face state");
+  FigureMetadata figure;
+  const std::string fault = figure.read(file);
+  if (!fault.empty()) throw FileFailure(fault);
+  text = figure.state();
+  return text.empty() ? "the figure carries no state of a face; give one that does, or a .json file" : "";
 }
 
 }  // namespace
@@ -49,8 +58,7 @@ void FaceOptions::addSurfaceOptions(CLI::App& command) {
   add(faceOption::derivativeStrength, derivativeStrength_, "Factor on derivative conditions [1]");
   add(faceOption::precision, precision_, "single or double [single]");
   add(faceOption::state, state_,
-      "The face of a figure (.svg .pdf .png), of a session (.json), or the JSON itself as Copy as command has it; "
-      "other "
+      "The face of a figure (.svg .pdf .png) or a session (.json), or the JSON that Copy as command gives; other "
       "options change it");
 }
 
@@ -115,18 +123,6 @@ std::string FaceOptions::resolutionHelp() const {
 void FaceOptions::setDefaultResolution(int rows, int columns) {
   defaultRows_ = rows;
   defaultColumns_ = columns;
-}
-
-/// Of a .json file, or of a figure that carries one.
-std::string readStateText(const std::string& file, std::string& text) {
-  const std::vector<std::string>& figures = FigureFile::endings();
-  if (std::find(figures.begin(), figures.end(), fileEnding(file)) == figures.end())
-    return readTextFile(file, largestSessionText, text, "face state");
-  FigureMetadata figure;
-  const std::string fault = figure.read(file);
-  if (!fault.empty()) throw FileFailure(fault);
-  text = figure.state();
-  return text.empty() ? "the figure carries no state of a face; give one that does, or a .json file" : "";
 }
 
 /// The generic face, or what --state says.
