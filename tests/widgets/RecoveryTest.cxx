@@ -175,11 +175,17 @@ TEST_F(Recovery, NothingIsLeftAfterAnEndInGoodOrder) {
 
 TEST_F(Recovery, CamerasAndTheWorkspaceAreKeptToo) {
   const auto window = start();
+  QApplication::setActiveWindow(window.get());
   window->findChild<QToolButton*>("lookSide")->click();
   ASSERT_TRUE(QTest::qWaitFor([] { return kept().size() == 1; }, longWait)) << "a camera that was moved is lost";
-  const nlohmann::json before = keptSession();
-  window->findChild<QTabBar*>("workspaces")->setCurrentIndex(2);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return keptSession() != before; }, longWait)) << "the workspace is lost";
+  for (const char* how : {"tab", "keys"}) {
+    const nlohmann::json before = keptSession();
+    if (how == std::string("tab"))
+      window->findChild<QTabBar*>("workspaces")->setCurrentIndex(2);
+    else
+      QTest::keyClick(window.get(), Qt::Key_F1, Qt::ControlModifier);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return keptSession() != before; }, longWait)) << how;
+  }
 }
 
 TEST_F(Recovery, NothingIsOfferedOfWhatWasSaved) {

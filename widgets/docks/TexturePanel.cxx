@@ -239,9 +239,8 @@ void TexturePanel::chooseMesh() {
 
 void TexturePanel::chooseSaved() {
   const QFileInfo photograph(photograph_->fileName());
-  const QString name =
-      FileDialog::save(window(), tr("Save the mesh"), photograph.path() + "/" + photograph.completeBaseName() + ".csv",
-                       tr("Warp mesh (*.csv)"), ".csv");
+  const QString name = FileDialog::save(window(), tr("Save the mesh"), photograph.completeBaseName() + ".csv",
+                                        tr("Warp mesh (*.csv)"), ".csv");
   if (!name.isEmpty()) save(name);
 }
 

@@ -1,5 +1,6 @@
 #include "ViewFrame.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -17,6 +18,7 @@ constexpr int gap = 6;             // pixels between groups of buttons
 constexpr int edge = 1;            // pixels, of the frame's line
 constexpr int leastView = 100;     // pixels high, in which a face is more than a blot
 constexpr int longestTitle = 210;  // pixels that a title has before any button; a longer one ends in dots
+constexpr int longestHead = 227;   // pixels of a title and the buttons that last: views side by side at 960 pixels
 
 }  // namespace
 
@@ -24,6 +26,7 @@ ViewFrame::ViewFrame(const QString& title, QWidget* view, QWidget* parent)
     : QFrame(parent),
       header_(new OverflowRow(view->objectName() + "Header", this)),
       stage_(new QGridLayout),
+      view_(view),
       name_(new ElidedLabel(this)) {
   setProperty("card", true);
   setObjectName(view->objectName().replace("View", "Frame"));
@@ -47,13 +50,22 @@ void ViewFrame::setTitle(const QString& title) {
   name_->setText(title);
   name_->ensurePolished();    // headings are bold
   name_->setMinimumWidth(0);  // which a label adds to what it asks for
-  name_->setMinimumWidth(std::min(longestTitle, name_->sizeHint().width()));
+  int room = longestHead;
+  for (const QToolButton* button : lasting_)
+    if (!button->isHidden()) room -= button->sizeHint().width();
+  name_->setMinimumWidth(std::min({longestTitle, room, name_->sizeHint().width()}));
 }
 
 /// With the font of the window that it has come into.
 void ViewFrame::showEvent(QShowEvent* event) {
   QFrame::showEvent(event);
   setTitle(name_->text());
+}
+
+/// As a button comes or goes.
+bool ViewFrame::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) setTitle(name_->text());
+  return QFrame::eventFilter(watched, event);
 }
 
 QToolButton* ViewFrame::button(const QString& objectName, const QString& text, const QString& toolTip) {
@@ -74,6 +86,8 @@ QToolButton* ViewFrame::addButton(const QString& objectName, const QString& text
 QToolButton* ViewFrame::addLastingButton(const QString& objectName, const QString& text, const QString& toolTip) {
   QToolButton* added = button(objectName, text, toolTip);
   header_->addWidget(added);
+  lasting_.push_back(added);
+  added->installEventFilter(this);
   return added;
 }
 
@@ -90,6 +104,7 @@ void ViewFrame::addBelow(QWidget* widget) {
 
 void ViewFrame::addFoot(QWidget* widget) {
   stage_->addWidget(widget, 0, 0, Qt::AlignBottom);
+  view_->setMinimumHeight(leastView + widget->sizeHint().height());
   widget->raise();
 }
 

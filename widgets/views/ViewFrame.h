@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <vector>
 
 class QGridLayout;
 class QToolButton;
@@ -29,6 +30,7 @@ class ViewFrame : public QFrame {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   QToolButton* button(const QString& objectName, const QString& text, const QString& toolTip);
@@ -36,7 +38,9 @@ class ViewFrame : public QFrame {
   OverflowRow* header_;
   QGridLayout* stage_;
   int controls_ = 0;
+  QWidget* view_;
   ElidedLabel* name_;
+  std::vector<QToolButton*> lasting_;
 };
 
 }  // namespace mien

@@ -108,7 +108,7 @@ StudioWindow::StudioWindow()
   keeper_->begin();
   connect(views_, &ViewArea::colorChosen, keeper_->history(), &History::act);
   connect(views_, &ViewArea::cameraMoved, keeper_->document(), &SessionDocument::followCameras);
-  connect(workspaces_->bar(), &QTabBar::currentChanged, keeper_, &SessionKeeper::keep);
+  connect(workspaces_, &Workspaces::chosen, keeper_, &SessionKeeper::keep);
   connect(keeper_->history(), &History::travels, views_->coloring(), &FaceColoring::fitNext);
   const QString damage = keeper_->autosave() ? keeper_->autosave()->damage() : QString();
   if (!damage.isEmpty())

@@ -125,6 +125,7 @@ void Workspaces::choose(int workspace) {
   if (workspace != current_ && workspace >= 0) {
     kept_[current_] = window_->saveState(version);
     show(workspace);
+    emit chosen();
   }
   follow();
 }

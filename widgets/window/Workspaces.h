@@ -36,13 +36,16 @@ class Workspaces : public QObject, public SessionPart {
   void restoreSession(const nlohmann::json& state) override;
   bool isUndoable() const override { return false; }
 
-  void choose(int workspace);
-  void reset();       ///< the present one, to how it is at the first start
-  void save() const;  ///< all of them, in the user's settings
-  void restore();     ///< from there, or as at the first start
+  void choose(int workspace);  ///< @sa chosen
+  void reset();                ///< the present one, to how it is at the first start
+  void save() const;           ///< all of them, in the user's settings
+  void restore();              ///< from there, or as at the first start
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+
+ signals:
+  void chosen();  ///< another one, by its tab or key
 
  private:
   struct Workspace;
