@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSettings>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTextBrowser>
@@ -130,6 +131,14 @@ TEST_F(HelpMenu, AboutTellsVersionsAndHowToCite) {
   }
   find<QAction>("actionAbout")->trigger();
   auto* dialog = find<mien::AboutDialog>("aboutDialog");
+  auto* pages = dialog->findChild<QTabWidget*>("aboutPages");
+  for (int page = 0; page < pages->count(); ++page) {
+    pages->setCurrentIndex(page);
+    int seen = 0;
+    for (const char* copy : {"aboutCopyVersions", "aboutCopyCitations", "aboutCopyLicence"})
+      seen += dialog->findChild<QPushButton*>(copy)->isVisible();
+    EXPECT_EQ(seen, 1) << page;
+  }
   dialog->findChild<QPushButton*>("aboutCopyCitations")->click();
   EXPECT_EQ(QGuiApplication::clipboard()->text().toStdString(), mien::Citations());
   dialog->close();

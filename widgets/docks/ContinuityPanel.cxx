@@ -137,7 +137,7 @@ void ContinuityPanel::connectControls() {
   });
   connect(onFace_, chosen, this, [this] { paintFace(); });
   connect(table_, &QTableWidget::itemSelectionChanged, this, &ContinuityPanel::chooseRow);
-  connect(table_, &QTableWidget::cellClicked, this, &ContinuityPanel::chooseRow);  // back to the row chosen before
+  connect(table_, &QTableWidget::cellClicked, this, &ContinuityPanel::flyToRow);  // back to the row chosen before
   connect(table_, &QTableWidget::cellActivated, this, &ContinuityPanel::useScheme);
   connect(figure_, &FigureView::picked, this, &ContinuityPanel::flyTo);
   connect(figure_, &FigureView::stepped, this, [this](int steps) { flyTo(figure_->marked().value_or(180.0) + steps); });
@@ -230,14 +230,19 @@ std::string ContinuityPanel::numbers() const {
 void ContinuityPanel::chooseRow() {
   const int row = table_->currentRow();
   if (comparesSchemes() || row < 0 || !shown().isValid()) return;
-  if (row < static_cast<int>(shown().seamNames().size())) {
-    seam_ = row;
-    flyToSeam();
-  } else {
-    view_->fit();
-  }
+  if (isSeam(row)) seam_ = row;
+  flyToRow();
   figure_->setMarked({});
   showProfile();
+}
+
+bool ContinuityPanel::isSeam(int row) const {
+  return row >= 0 && row < static_cast<int>(shown().seamNames().size());
+}
+
+void ContinuityPanel::flyToRow() {
+  if (comparesSchemes() || !shown().isValid()) return;
+  isSeam(table_->currentRow()) ? flyToSeam() : view_->fit();
 }
 
 void ContinuityPanel::useScheme(int row) {

@@ -39,6 +39,8 @@ class ContinuityPanel : public QWidget {
   void measure();
   void fillTable();
   void markSeam();
+  bool isSeam(int row) const;
+  void flyToRow();
   void showProfile();
   void chooseRow();
   void useScheme(int row);

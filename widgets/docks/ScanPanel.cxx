@@ -18,6 +18,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "Acquire.h"
 #include "BackgroundTask.h"
@@ -151,7 +152,7 @@ void ScanPanel::connectButtons() {
   connect(cancel_, &QToolButton::clicked, task_, &BackgroundTask::cancel);
   connect(task_, &BackgroundTask::progressed, progress_, &QProgressBar::setValue);
   connect(task_, &BackgroundTask::runningChanged, this, &ScanPanel::showReport);
-  connect(model_, &FaceModel::updated, this, &ScanPanel::showReport);  // other curves may be shown now
+  connect(model_, &FaceModel::updated, this, &ScanPanel::followCurves);
 }
 
 void ScanPanel::connectMap() {
@@ -310,6 +311,12 @@ bool ScanPanel::adopt(const QString& fileName) {
   if (!model_->openCurves(fileName)) return false;
   emit model_->remarked(tr("%1 was written and is the face now.").arg(QFileInfo(fileName).fileName()), fileName);
   return true;
+}
+
+/// Other ones may be the face now, but not with every frame.
+void ScanPanel::followCurves() {
+  const vtkMTimeType now = model_->pipeline().neutralCurves()->GetOutput()->GetMTime();
+  if (now != std::exchange(curvesTime_, now)) showReport();
 }
 
 /// Told by the curves themselves: so it holds after a session is opened or a step undone, too.

@@ -68,6 +68,7 @@ class ScanPanel : public QWidget, public SessionPart {
   void showLandmarkFile();
   void addReport();
   void showReport();
+  void followCurves();
   void showScan();
   bool isAdopted() const;  ///< whether the shown face is the measured curves
   bool isHiddenByColors() const;
@@ -87,6 +88,7 @@ class ScanPanel : public QWidget, public SessionPart {
   vtkNew<vtkActor> actor_;
   vtkSmartPointer<vtkPolyData> curves_, scan_;
   std::vector<ScanReportLine> found_;
+  vtkMTimeType curvesTime_ = 0;  ///< of the face's own, when the report was told
   QString file_, landmarkFile_;
   bool colored_ = false;  ///< whether colours on the face mean something
   QString framed_;        ///< the scan that the camera has been moved back for

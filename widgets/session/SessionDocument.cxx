@@ -70,8 +70,9 @@ bool SessionDocument::isModified() const {
 void SessionDocument::showTitle() {
   const QString name = file_.isEmpty() ? tr("New session") : QFileInfo(file_).fileName();
   window_->setWindowTitle((recovered_ ? tr("%1 (recovered)").arg(name) : name) + "[*]");
-  window_->setWindowModified(isModified());
-  emit changed();
+  const bool modified = isModified();
+  window_->setWindowModified(modified);
+  emit changed(modified);
 }
 
 void SessionDocument::take(const QString& fileName) {

@@ -56,7 +56,7 @@ class SessionDocument : public QObject {
   void setWarning(const Warning& warning) { warning_ = warning; }
 
  signals:
-  void changed();  ///< perhaps: what it holds, or whether that is saved
+  void changed(bool isModified);  ///< perhaps: what it holds, or whether that is saved
   void opened(const QString& fileName);
   void saved(const QString& fileName);
   /// Whose session this is now, and how its file was then; empty: a new one.

@@ -21,7 +21,7 @@ SessionKeeper::SessionKeeper(FaceModel* model, AnimationPlayer* player, QMainWin
   connect(document_, &SessionDocument::saved, recent_, &RecentFiles::add);
   if (!autosave_) return;
   connect(document_, &SessionDocument::named, autosave_, &Autosave::setDocument);
-  connect(document_, &SessionDocument::changed, this, &SessionKeeper::keep);
+  connect(document_, &SessionDocument::changed, autosave_, &Autosave::follow);
 }
 
 void SessionKeeper::keep() {

@@ -53,6 +53,13 @@ AboutDialog::AboutDialog(QWidget* parent)
   addVersions();
   addCitation();
   addLicence();
+  connect(pages_, &QTabWidget::currentChanged, this, &AboutDialog::showButton);
+  showButton();
+}
+
+/// Once all are there: each that is added shows those before it.
+void AboutDialog::showButton() {
+  for (size_t i = 0; i < copies_.size(); ++i) copies_[i]->setVisible(pages_->currentIndex() == static_cast<int>(i));
 }
 
 void AboutDialog::addVersions() {
@@ -89,10 +96,8 @@ void AboutDialog::addPage(QWidget* content, const QString& title, const QString&
   copy->setToolTip(tr("Takes this page's text to the clipboard"));
   copy->setAutoDefault(false);
   connect(copy, &QPushButton::clicked, this, [copied] { QGuiApplication::clipboard()->setText(copied); });
-  connect(pages_, &QTabWidget::currentChanged, copy,
-          [this, content, copy] { copy->setVisible(pages_->currentWidget() == content); });
-  copy->hide();
-  pages_->addTab(content, title);  // shows the button of the first
+  copies_.push_back(copy);
+  pages_->addTab(content, title);
 }
 
 }  // namespace mien

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <QDialog>
+#include <vector>
 
 class QDialogButtonBox;
+class QPushButton;
 class QTabWidget;
 
 namespace mien {
@@ -17,11 +19,13 @@ class AboutDialog : public QDialog {
   void addVersions();
   void addCitation();
   void addLicence();
+  void showButton();
   void addPage(QWidget* content, const QString& title, const QString& copyName, const QString& copyText,
                const QString& copied);
 
   QTabWidget* pages_;
   QDialogButtonBox* buttons_;
+  std::vector<QPushButton*> copies_;  ///< one for each page
 };
 
 }  // namespace mien

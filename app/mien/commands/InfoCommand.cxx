@@ -210,8 +210,7 @@ void addInfoCommand(CLI::App& program) {
       "file", options->file,
       "Boundary curves .vtp .mienz, animation .fap .csv, facial deformation table or markers .csv .fdt, scan "
       ".ply .obj .stl .off, photograph .png .jpg .tif, its mesh or landmarks .csv, figure .svg .pdf .png, session, "
-      "animation table, study or "
-      "map .json [the generic face]");
+      "animation table, study or map .json [the generic face]");
   command->add_flag("--json", options->json, "Machine-readable");
   options->face.addSurfaceOptions(*command);
   command->footer(
